@@ -15,6 +15,9 @@ struct Core {
     int count = 1; // points
     V3 points[8];  // corners; box: corner k has +x where k & 1, +y where k & 2, +z where k & 4, else -
     double radius = 0;
+    // Boxes only: where it is flat its corners no longer tell its axes.
+    V3 centre, half_extents;
+    Rotation axes;
 };
 
 /// The core of a bounded shape in its local frame. Not for Plane and HalfSpace.
@@ -47,6 +50,12 @@ struct Separation {
     V3 point_a;      // on the surface of A
     V3 point_b;      // on the surface of B
 };
+
+/// The same answer with A and B exchanged.
+static inline Separation flipped(const Separation& s)
+{
+    return {s.lower, s.gap, -s.normal, s.point_b, s.point_a};
+}
 
 Separation separation(const Core& a, const Core& b);
 Separation separation(const Core& a, const Border& b);

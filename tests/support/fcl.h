@@ -6,8 +6,9 @@
 #include <memory>
 #include <optional>
 
-/// FCL 0.7 behind one translation unit, in this process: for benchmarks, and for the child process of the oracle.
-/// FCL may crash or print on shapes it does not support: ask `fcl_trusts` first (design: which judge each pair has).
+/// FCL 0.7 behind one translation unit, in this process: for benchmarks, and for the child process of the
+/// oracle. FCL may crash or print on shapes it does not support: ask `fcl_trusts` first (design: which judge
+/// each pair has).
 namespace brink::support {
 
 /// A prepared FCL geometry (its bounds computed), cheap to copy.
@@ -26,13 +27,14 @@ enum class FclQuestion : unsigned char { distance, collide, conservative_advance
 /// Whether FCL 0.7 can be believed about this question for this pair of shapes.
 bool fcl_trusts(FclQuestion, const Shape& a, const Shape& b);
 
-/// Distance by GST_LIBCCD at distance_tolerance 1e-10. Negative when they overlap, by an amount that means nothing.
+/// Distance by GST_LIBCCD at distance_tolerance 1e-10. Negative when they overlap, by an amount that means
+/// nothing.
 double fcl_distance(const FclBody& a, const Pose&, const FclBody& b, const Pose&);
 
 bool fcl_collide(const FclBody& a, const Pose&, const FclBody& b, const Pose&);
 
-/// Time of contact by FCL's continuousCollide at its defaults but for the solver: CCDC_NAIVE (FCL's own default,
-/// ten poses) or CCDC_CONSERVATIVE_ADVANCEMENT. Empty where FCL reports none, which proves nothing.
+/// Time of contact by FCL's continuousCollide at its defaults but for the solver: CCDC_NAIVE (FCL's own
+/// default, ten poses) or CCDC_CONSERVATIVE_ADVANCEMENT. Empty where FCL reports none, which proves nothing.
 std::optional<double> fcl_continuous(FclQuestion solver, const FclBody& a, const Motion&, const FclBody& b,
                                      const Motion&);
 

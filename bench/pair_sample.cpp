@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair_sample.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace brink::bench {
+namespace {
+
+using support::Random;
+
+constexpr std::uint16_t half = 1024; // bodies on either side
+constexpr double least_gap = 0.2;    // at the start, metres
+constexpr double most_gap = 5;
+constexpr std::uint64_t seed = 262144;
+
+Shape draw_sphere(Random& random)
+{
+    return Sphere{random.between(0.1, 1)};
+}
+
+Shape draw_capsule(Random& random)
+{
+    const double radius = random.between(0.05, 0.4);
+    const double end = random.between(0.05, 0.6);
+    const Vec3 axis = end * random.unit();
+    return Capsule{-axis, axis, radius};
+}
+
+Shape draw_box(Random& random)
+{
+    const double x = random.between(0.1, 1);
+    const double y = random.between(0.1, 1);
+    const double z = random.between(0.1, 1);
+    return Box{{x, y, z}};
+}
+
+Shape draw_triangle(Random& random)
+{
+    const double size = random.between(0.3, 1);
+    const Vec3 a = random.unit();
+    const Vec3 b = random.unit();
+    const Vec3 c = random.unit();
+    return Triangle{size * a, size * b, size * c};
+}
+
+Shape draw_plane(Random& random)
+{
+    return Plane{random.unit(), 0};
+}
+
+Shape draw_half_space(Random& random)
+{
+    return HalfSpace{random.unit(), 0};
+}
+
+constexpr std::array closed{
+    PairKind{"sphere-sphere", draw_sphere, draw_sphere},
+    PairKind{"sphere-capsule", draw_sphere, draw_capsule},
+    PairKind{"sphere-box", draw_sphere, draw_box},
+    PairKind{"sphere-triangle", draw_sphere, draw_triangle},
+    PairKind{"sphere-plane", draw_sphere, draw_plane},
+    PairKind{"sphere-half_space", draw_sphere, draw_half_space},
+    PairKind{"capsule-capsule", draw_capsule, draw_capsule},
+    PairKind{"capsule-plane", draw_capsule, draw_plane},
+    PairKind{"capsule-half_space", draw_capsule, draw_half_space},
+};
+
+constexpr std::array rotating{
+    PairKind{"capsule-capsule", draw_capsule, draw_capsule},
+    PairKind{"capsule-box", draw_capsule, draw_box},
+    PairKind{"box-box", draw_box, draw_box},
+};
+
+/// Some 3 m away along `ahead`, and for the most part on its way across: one in five goes anywhere.
+Motion draw_motion(Random& random, const Vec3& ahead, Turning turning)
+{
+    Motion motion;
+    const Vec3 scatter = random.in_cube(0.9);
+    const double reach = random.between(0, 4);
+    const Vec3 drift = random.in_cube(0.9);
+    motion.start.position = -1.6 * ahead + scatter;
+    motion.start.orientation = random.rotation();
+    motion.translation = random.chance(0.2) ? Vec3(reach * random.unit()) : Vec3(reach * ahead + drift);
+    if (turning == Turning::none) return motion;
+    const double angle = random.between(0, 3.14159265358979324 / 3);
+    motion.rotation = angle * random.unit();
+    return motion;
+}
+
+/// An unbounded body looks towards the others, so that they begin outside.
+void face(Body& body, const Vec3& ahead)
+{
+    const auto turn_to_front = [&](auto& flat) {
+        if ((body.motion.start.orientation * flat.normal).dot(ahead) < 0) flat.normal = -flat.normal;
+    };
+    if (auto* plane = std::get_if<Plane>(&body.shape)) turn_to_front(*plane);
+    if (auto* half_space = std::get_if<HalfSpace>(&body.shape)) turn_to_front(*half_space);
+}
+
+std::vector<Body> draw_bodies(Random& random, const PairKind& kind, Turning turning)
+{
+    std::vector<Body> bodies;
+    bodies.reserve(2 * half);
+    const Vec3 ahead = random.unit();
+    for (int i = 0; i < 2 * half; ++i) {
+        const Vec3 way = i < half ? ahead : Vec3(-ahead);
+        const Shape shape = i < half ? kind.draw_a(random) : kind.draw_b(random);
+        bodies.push_back({shape, draw_motion(random, way, turning)});
+        face(bodies.back(), way);
+    }
+    return bodies;
+}
+
+template <class T>
+void shuffle(std::vector<T>& items, Random& random)
+{
+    for (std::size_t left = items.size(); left > 1; --left)
+        std::swap(items[left - 1], items[static_cast<std::size_t>(random.index(static_cast<int>(left)))]);
+}
+
+std::vector<Pair> all_pairs(Random& random)
+{
+    std::vector<Pair> pairs;
+    pairs.reserve(std::size_t{half} * half);
+    for (std::uint16_t a = 0; a < half; ++a)
+        for (std::uint16_t b = half; b < 2 * half; ++b)
+            pairs.push_back({a, b});
+    shuffle(pairs, random);
+    return pairs;
+}
+
+} // namespace
+
+std::span<const PairKind> closed_pairs()
+{
+    return closed;
+}
+
+std::span<const PairKind> rotating_pairs()
+{
+    return rotating;
+}
+
+Sample draw_sample(const PairKind& kind, Turning turning, std::size_t pairs)
+{
+    Random random(seed);
+    Sample sample{draw_bodies(random, kind, turning), {}, {}, {}};
+    for (const Pair pair : all_pairs(random)) {
+        if (sample.hits.size() == pairs && sample.misses.size() == pairs) break;
+        const Body& a = sample.bodies[pair.a];
+        const Body& b = sample.bodies[pair.b];
+        const double gap = distance(a.shape, a.motion.start, b.shape, b.motion.start).gap;
+        if (!(gap >= least_gap && gap <= most_gap)) continue;
+        const Status status = time_of_impact(a.shape, a.motion, b.shape, b.motion).status;
+        std::vector<Pair>& kept = status == Status::separated ? sample.misses : sample.hits;
+        if (kept.size() < pairs) kept.push_back(pair);
+    }
+    if (sample.hits.size() < pairs || sample.misses.size() < pairs)
+        throw std::logic_error(fmt::format("{}: only {} hits and {} misses among the bodies, of {} wanted",
+                                           kind.name, sample.hits.size(), sample.misses.size(), pairs));
+    const auto middle = static_cast<std::ptrdiff_t>(pairs / 2);
+    sample.mixed.assign(sample.hits.begin(), sample.hits.begin() + middle);
+    sample.mixed.insert(sample.mixed.end(), sample.misses.begin(), sample.misses.begin() + middle);
+    shuffle(sample.mixed, random);
+    return sample;
+}
+
+} // namespace brink::bench

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pairs.h"
+
+#include "machine.h"
+#include "pair_bench.h"
+#include "pairs_report.h"
+
+#include <array>
+#include <cstdio>
+#include <fmt/format.h>
+#include <memory>
+
+namespace brink::bench {
+namespace {
+
+/// What `sibling pairs --rows` prints; empty where it fails.
+std::vector<Timing> ask_sibling(const std::filesystem::path& sibling)
+{
+    const std::string command = shell_quoted(sibling.string()) + " pairs --rows";
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+    if (!pipe) return {};
+    std::string text;
+    std::array<char, 4096> block{};
+    while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe.get()))
+        text.append(block.data(), got);
+    return parse_timings(text);
+}
+
+/// Why there are no figures of the wider build; empty if there are.
+std::string add_wider_build(std::vector<Timing>& timings, const std::filesystem::path& sibling)
+{
+    if (!runs_v3()) return "this processor does not run x86-64-v3";
+    if (!std::filesystem::exists(sibling)) return fmt::format("there is no {}", sibling.filename().string());
+    const std::vector<Timing> wider = ask_sibling(sibling);
+    timings.insert(timings.end(), wider.begin(), wider.end());
+    return wider.empty() ? fmt::format("{} failed", sibling.filename().string()) : "";
+}
+
+} // namespace
+
+void run_pairs(const Output& output, const std::filesystem::path& sibling)
+{
+    std::vector<Timing> timings = measure_pairs(Rivals::fcl);
+    const std::string missing = add_wider_build(timings, sibling);
+    output.write("pairs.csv", timings_csv(timings));
+    fmt::print("{}\n\n{}\n", machine(), pairs_table(timings));
+    if (!missing.empty()) fmt::print("No figures of the x86-64-v3 build: {}.\n\n", missing);
+    fmt::print("{}\n{}\n", rotating_table(timings), output.draw("pairs", pairs_plot(timings)));
+    fmt::print("Figures: {}\n", output.path_of("pairs.csv"));
+}
+
+} // namespace brink::bench

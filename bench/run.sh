@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Builds brink's benchmarks and runs them, installing what is missing. Tables, CSVs and pictures go to out/.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. tests/install.sh
+
+install_missing $brink_packages
+cmake -S . -B build -G Ninja
+cmake --build build --target brink-bench brink-bench-v3
+mkdir -p out
+build/bench/brink-bench tunnelling
+build/bench/brink-bench pairs
+
+echo
+echo "Pictures:"
+ls "$PWD"/out/*.svg "$PWD"/out/*.png

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "method.h"
+
+#include <string>
+#include <vector>
+
+namespace brink::bench {
+
+/// What one method did with a number of true crossings.
+struct Tally {
+    int crossings = 0;
+    int missed = 0;         // no contact reported in the step
+    int late = 0;           // reported, but later than 1e-3 of the step after it happened
+    double worst_error = 0; // |reported - true| moment of contact, in steps, over those reported
+    double ns = 0;          // per query
+};
+
+/// One scene and method at one speed (relative distance moved per step over wall thickness).
+struct Row {
+    const Scene* scene;
+    const Method* method;
+    double speed;
+    Tally tally;
+};
+
+/// Over all speeds: counts added, the worst error of all, the mean time.
+Tally total(const std::vector<Row>&, const Scene&, const Method&);
+
+std::string tunnelling_csv(const std::vector<Row>&);
+/// One row per scene and method: the share missed at each whole decade of speed, and over all speeds.
+std::string tunnelling_table(const std::vector<Row>&);
+/// The gnuplot script that draws tunnelling.csv.
+std::string tunnelling_plot(const std::vector<Row>&);
+
+} // namespace brink::bench

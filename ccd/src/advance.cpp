@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "advance.h"
+
+#include "certificate.h"
+#include "quadratic.h"
+#include "tolerance.h"
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+
+namespace brink {
+
+namespace {
+
+/// The part of [0, 1] in which two bodies can touch at all.
+struct Window {
+    double begin = 0, end = 1;
+    bool empty = false;
+};
+
+/// When the balls about both pivots that hold the bodies meet and part: any number of turns, one quadratic.
+Window meeting(V3 from, V3 by, double radius)
+{
+    const double grown = radius + tolerance::clip_slack * (norm(from) + norm(by) + radius);
+    const double c = norm_squared(from) - grown * grown, along = dot(from, by), a = norm_squared(by);
+    if (c > 0 && along >= 0) return {.empty = true};
+    const double discriminant = a * grown * grown - norm_squared(cross(from, by));
+    const double root = std::sqrt(std::max(0.0, discriminant));
+    Window w;
+    if (c > 0) {
+        if (discriminant < 0) return {.empty = true};
+        w.begin = c / (root - along) * (1 - tolerance::clip_slack);
+    }
+    const double end = along > 0 ? c / (-along - root) : (root - along) / a;
+    if (end < 1) w.end = end * (1 + tolerance::clip_slack);
+    w.empty = !(w.begin <= 1);
+    return w;
+}
+
+template <class Part>
+Window meeting(const Mover<Core>& a, const Mover<Part>& b, V3 from, V3 by, double target_gap)
+{
+    if constexpr (std::is_same_v<Part, Border>)
+        return {};
+    else
+        return meeting(from, by, a.reach + b.reach + a.part.radius + b.part.radius + target_gap);
+}
+
+double size(const Core& core) { return core.radius; }
+double size(const Border& border) { return std::fabs(border.offset); }
+
+/// The lengths of one body that roundings are relative to.
+template <class Part> double extent(const Mover<Part>& m)
+{
+    return norm(m.arm) + (1 + m.turn.angle) * m.reach + size(m.part);
+}
+
+Turning turning(const Core& part, const Mover<Core>& m, V3)
+{
+    return {part.points, part.count, 0, m.reach, m.turn.rate};
+}
+Turning turning(const Border& part, const Mover<Border>& m, V3 axis)
+{
+    return {nullptr, 0, dot(axis, part.normal) < 0 ? -part.offset : part.offset, 0, m.turn.rate};
+}
+
+/// One query: the two bodies, seen from A's pivot, on their way through the step.
+template <class Part> class Advance {
+public:
+    Advance(const Mover<Core>& a, const Mover<Part>& b, const Options& options);
+    Toi run(Start start);
+
+private:
+    struct Pose {
+        Core a;    // turned about its pivot, which is the origin
+        Part b;    // likewise
+        V3 offset; // from A's pivot to B's
+        Separation separation;
+        double gap = 0; // above target_gap
+    };
+
+    Pose pose();
+    Facing facing() const;
+    Toi answer(Status status) const;
+    Toi separated() const
+    {
+        return {.status = Status::separated, .t = options_.t_max, .iterations = iterations_};
+    }
+    Toi translate_away() const;
+    std::optional<Toi> leave();
+    Toi approach();
+    std::optional<Toi> move(double step);
+
+    const Mover<Core>& a_;
+    const Mover<Part>& b_;
+    const Options& options_;
+    V3 from_, velocity_; // of B's pivot, relative to A's
+    double slack_;       // what rounding can take off a bound
+    double tolerance_;   // how near counts as there
+    double fastest_;     // no gap changes faster
+    Window window_;
+    double t_ = 0;
+    int iterations_ = 0;
+    Pose now_;
+};
+
+template <class Part>
+Advance<Part>::Advance(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
+    : a_(a),
+      b_(b),
+      options_(options),
+      from_((b.position - a.position) + (b.arm - a.arm)),
+      velocity_(b.translation - a.translation)
+{
+    const double distance = norm(b.position - a.position), travel = norm(velocity_);
+    const double swing = std::is_same_v<Part, Border> ? norm(from_) + travel + a.reach : b.reach;
+    slack_ = tolerance::certificate_slack *
+             (distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + options.target_gap);
+    tolerance_ = std::max(options.tolerance, 2 * slack_);
+    fastest_ = travel + a.turn.angle * a.reach + b.turn.angle * swing;
+    window_ = meeting(a, b, from_, velocity_, options.target_gap);
+}
+
+template <class Part> typename Advance<Part>::Pose Advance<Part>::pose()
+{
+    ++iterations_;
+    const V3 offset = from_ + t_ * velocity_;
+    Pose p{a_.turned_to(t_), b_.turned_to(t_), offset, {}, 0};
+    p.separation = separation(p.a, placed(p.b, {}, offset));
+    p.gap = p.separation.gap - options_.target_gap;
+    return p;
+}
+
+template <class Part> Facing Advance<Part>::facing() const
+{
+    const V3 axis = now_.separation.normal;
+    const double proven = now_.separation.lower - options_.target_gap - slack_;
+    return {turning(now_.a, a_, axis), turning(now_.b, b_, axis), axis, now_.offset, velocity_, proven};
+}
+
+template <class Part> Toi Advance<Part>::answer(Status status) const
+{
+    Toi toi{.status = status, .t = t_, .iterations = iterations_};
+    if (status == Status::touching) toi.t_upper = 0;
+    if (options_.detail == Detail::time_only) return toi;
+    const V3 origin = a_.pivot(t_);
+    toi.normal = store(now_.separation.normal);
+    toi.point_a = store(origin + now_.separation.point_a);
+    toi.point_b = store(origin + now_.separation.point_b);
+    toi.gap = now_.separation.gap;
+    return toi;
+}
+
+/// Goes on by `step`, unless that leaves the time asked about or the budget is spent.
+template <class Part> std::optional<Toi> Advance<Part>::move(double step)
+{
+    if (t_ + step > options_.t_max || t_ + step >= window_.end) return separated();
+    if (iterations_ >= options_.max_iterations) return answer(Status::undecided);
+    t_ += step;
+    now_ = pose();
+    return {};
+}
+
+/// Convex bodies that only translate have a convex gap over time: once it does not fall it never falls again.
+template <class Part> Toi Advance<Part>::translate_away() const
+{
+    const bool parting = dot(now_.separation.normal, velocity_) >= 0;
+    return options_.start_contact == StartContact::ignore || parting ? separated() : answer(Status::touching);
+}
+
+/// From a start in contact, or within the tolerance of it, to where the gap exceeds the tolerance: by steps
+/// over which the gap provably does not fall, or else (`ignore` only) cannot rise above the target. Returns
+/// an answer where that ends the query.
+template <class Part> std::optional<Toi> Advance<Part>::leave()
+{
+    const Advance start = *this;
+    bool apart = false;
+    while (now_.gap <= tolerance_) {
+        apart = apart || now_.gap > 0;
+        double step = rising_step(facing(), window_.end - t_);
+        if (!(t_ + step > t_)) {
+            if (apart) return answer(Status::hit);
+            if (options_.start_contact != StartContact::ignore) return start.answer(Status::touching);
+            step = std::max(-now_.gap, tolerance_) / fastest_;
+        }
+        const std::optional<Toi> end = move(step);
+        if (!end) continue;
+        const bool proven =
+            end->status == Status::separated || options_.start_contact == StartContact::ignore;
+        return proven || apart ? end : start.answer(Status::touching);
+    }
+    return {};
+}
+
+template <class Part> Toi Advance<Part>::approach()
+{
+    for (;;) {
+        if (now_.gap <= tolerance_) return answer(Status::hit);
+        const Facing f = facing();
+        if (!(f.gap > 0)) return answer(Status::undecided);
+        if (const std::optional<Toi> end = move(safe_step(f, window_.end - t_))) return *end;
+    }
+}
+
+template <class Part> Toi Advance<Part>::run(Start start)
+{
+    if (start == Start::open) {
+        if (window_.empty || window_.begin > options_.t_max) return separated();
+        t_ = window_.begin;
+    }
+    now_ = pose();
+    if (t_ == 0 && (start == Start::in_contact || now_.gap <= 0)) {
+        if (options_.start_contact == StartContact::report) return answer(Status::touching);
+        if (a_.turn.angle == 0 && b_.turn.angle == 0) return translate_away();
+    }
+    if (t_ == 0 && now_.gap <= tolerance_) {
+        if (const std::optional<Toi> end = leave()) return *end;
+    }
+    return approach();
+}
+
+} // namespace
+
+Toi certified_advancement(const Mover<Core>& a, const Mover<Core>& b, const Options& options, Start start)
+{
+    return Advance<Core>(a, b, options).run(start);
+}
+
+Toi certified_advancement(const Mover<Core>& a, const Mover<Border>& b, const Options& options, Start start)
+{
+    return Advance<Border>(a, b, options).run(start);
+}
+
+} // namespace brink

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "exact.h"
+#include "vector.h"
+
+#include <brink/pose.h>
+
+namespace brink {
+
+/// Two bodies that only translate, seen from B: world axes, origin at B's.
+struct Approach {
+    V3 from;     // A's origin at t = 0, rounded
+    V3 from_low; // what that rounding left off
+    V3 by;       // A's motion relative to B over the whole step
+    double target_gap;
+    const Quat& orientation_a; // not looked at for a sphere
+    const Quat& orientation_b;
+
+    /// Local axes to world axes.
+    Rotation turn_a() const { return rotation(orientation_a); }
+    Rotation turn_b() const { return rotation(orientation_b); }
+};
+
+/// First contact of two shapes under translation, as a closed form finds it.
+struct Entry {
+    double t = infinity; // 0: in contact at the start, with nothing else set; infinite: not in [0, 1]
+    V3 core_a{};         // where the cores (the shapes without their radius) come nearest at t,
+    V3 core_b{};         // in Approach's frame
+    V3 facing{};         // of any length, from A towards B: the normal where the cores themselves touch
+};
+
+} // namespace brink

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mover.h"
+
+#include "trig.h"
+
+#include <algorithm>
+
+namespace brink {
+
+namespace {
+
+double farthest(const Core& core)
+{
+    double squared = 0;
+    for (int k = 0; k < core.count; ++k)
+        squared = std::max(squared, norm_squared(core.points[k]));
+    return std::sqrt(squared) * (1 + 0x1p-50); // rounded up
+}
+
+template <class Part> Mover<Part> started(const Part& local, const Motion& motion)
+{
+    const V3 pivot = load(motion.pivot);
+    const Rotation start = rotation(motion.start.orientation);
+    Mover<Part> m;
+    m.part = placed(placed(local, {}, -pivot), start, {});
+    m.position = load(motion.start.position);
+    m.arm = pivot == V3{} ? V3{} : start * pivot;
+    m.translation = load(motion.translation);
+    m.turn = turn(motion.rotation);
+    return m;
+}
+
+Mover<Core> bounded(const Core& local, const Motion& motion)
+{
+    Mover<Core> m = started(local, motion);
+    m.reach = farthest(m.part);
+    if (m.reach == 0) m.turn = {};
+    return m;
+}
+
+} // namespace
+
+Turn turn(const Vec3& rotation)
+{
+    const V3 rate = load(rotation);
+    const double angle = norm(rate);
+    if (!(angle > 0)) return {};
+    return {rate, {rate.x / angle, rate.y / angle, rate.z / angle}, angle};
+}
+
+Rotation turned(const Turn& turn, double t)
+{
+    if (turn.angle == 0 || t == 0) return {};
+    const SinCos at = sin_cos(t * turn.angle);
+    const V3 k = turn.axis, sk = at.sin * k, ck = (1 - at.cos) * k;
+    return {{at.cos + ck.x * k.x, ck.x * k.y + sk.z, ck.x * k.z - sk.y},
+            {ck.y * k.x - sk.z, at.cos + ck.y * k.y, ck.y * k.z + sk.x},
+            {ck.z * k.x + sk.y, ck.z * k.y - sk.x, at.cos + ck.z * k.z}};
+}
+
+Mover<Core> mover(const Sphere& s, const Motion& m) { return bounded(core(s), m); }
+Mover<Core> mover(const Capsule& s, const Motion& m) { return bounded(core(s), m); }
+Mover<Core> mover(const Box& s, const Motion& m) { return bounded(core(s), m); }
+Mover<Core> mover(const Triangle& s, const Motion& m) { return bounded(core(s), m); }
+Mover<Border> mover(const Plane& s, const Motion& m) { return started(border(s), m); }
+Mover<Border> mover(const HalfSpace& s, const Motion& m) { return started(border(s), m); }
+
+} // namespace brink

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core.h"
+#include "vector.h"
+
+#include <brink/motion.h>
+
+namespace brink {
+
+/// A constant turn: axis times angle over the whole step.
+struct Turn {
+    V3 rate;          // rotation vector; radians per step
+    V3 axis{0, 0, 1}; // unit
+    double angle = 0; // |rate|
+};
+
+Turn turn(const Vec3& rotation);
+/// exp(t [rate]x)
+Rotation turned(const Turn&, double t);
+
+/// A moving shape about its pivot: `Part` is Core (bounded) or Border (plane or half-space), in world axes at
+/// t = 0 and with the pivot as origin.
+template <class Part> struct Mover {
+    Part part;
+    V3 position; // of the body, world
+    V3 arm;      // from there to the pivot
+    V3 translation;
+    Turn turn;        // none where turning changes nothing: a point on its pivot
+    double reach = 0; // from the pivot to the farthest point of the core; 0 for a plane or half-space
+
+    V3 pivot(double t) const { return position + (arm + t * translation); }
+    Part turned_to(double t) const { return placed(part, turned(turn, t), {}); }
+};
+
+Mover<Core> mover(const Sphere&, const Motion&);
+Mover<Core> mover(const Capsule&, const Motion&);
+Mover<Core> mover(const Box&, const Motion&);
+Mover<Core> mover(const Triangle&, const Motion&);
+Mover<Border> mover(const Plane&, const Motion&);
+Mover<Border> mover(const HalfSpace&, const Motion&);
+
+} // namespace brink

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <brink/toi.h>
+
+namespace brink {
+
+/// What time_of_impact was asked, by reference.
+struct Query {
+    const Shape& a;
+    const Motion& motion_a;
+    const Shape& b;
+    const Motion& motion_b;
+    const Options& options;
+};
+
+/// Swaps the sides of an answer.
+static inline Toi flipped(Toi toi)
+{
+    const Vec3 point_a = toi.point_a;
+    toi.point_a = toi.point_b;
+    toi.point_b = point_a;
+    for (int i = 0; i < 3; ++i)
+        toi.normal.data()[i] = 0 - toi.normal.data()[i]; // never -0
+    return toi;
+}
+
+/// How the table decides a pair.
+enum class Method : unsigned char { closed_form, advancement, none };
+Method method(const Shape& a, const Shape& b);
+
+} // namespace brink

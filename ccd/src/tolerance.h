@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Every tolerance of the time-of-impact code, with its unit and derivation.
+namespace brink::tolerance {
+
+/// Relative rounding error of one operation, 2^-53.
+inline constexpr double unit_roundoff = 0x1p-53;
+
+/// Where two cores come nearer than this times (relative position + relative motion), the vector between them
+/// is mostly rounding: four roundings of each coordinate, a few times over. The contact feature gives the
+/// normal.
+inline constexpr double core_noise = 64 * unit_roundoff;
+
+/// Rounding of a pose and of one separation along an axis, as a multiple of the sum of the lengths and arcs
+/// that enter them: 16 operations of relative error 2^-53 in a row.
+inline constexpr double certificate_slack = 16 * unit_roundoff;
+
+/// The balls of the swept-sphere clip grow by this times (relative position + relative motion + radii): the
+/// quadratic's discriminant and root are those of a ball and a path that differ by a few roundings of these.
+inline constexpr double clip_slack = 64 * unit_roundoff;
+
+/// Larger sums of positions, motions and sizes would overflow when multiplied four at a time (scene length
+/// unit).
+inline constexpr double largest_extent = 1e75;
+
+} // namespace brink::tolerance

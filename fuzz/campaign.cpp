@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "campaign.h"
+
+#include "print.h"
+#include "progress.h"
+#include "witnesses.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace brink::fuzz {
+namespace {
+
+using support::Findings;
+using support::Real;
+using support::Trial;
+
+constexpr std::uint64_t block_size = 256;
+
+bool suspicious(const Toi& toi)
+{
+    return toi.status == Status::undecided || toi.status == Status::invalid || toi.iterations > 64;
+}
+
+void complain(Tally& tally, const Case& c, const Findings& findings)
+{
+    for (const auto& [check, detail] : findings)
+        tally.add(Complaint{c.index, check, detail,
+                            support::as_cpp(c.trial.query(), support::in_words(c.trial.toi()))});
+}
+
+void measure(Tally& tally, Trial& trial)
+{
+    ++tally.refereed;
+    if (trial.referee().gave_up) ++tally.given_up;
+    if (trial.toi().status != Status::hit || trial.query().options.tolerance > 1e-9) return;
+    const Real over =
+        trial.motion().at(trial.toi().t).gap - static_cast<Real>(trial.query().options.target_gap);
+    tally.worst_over = std::max(tally.worst_over, static_cast<double>(over));
+    tally.worst_under = std::min(tally.worst_under, static_cast<double>(over));
+}
+
+/// A block of one pair's cases.
+Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_t end, Witnesses& witnesses)
+{
+    Tally tally;
+    std::vector<Case> to_witness;
+    for (std::uint64_t i = begin; i < end; ++i) {
+        Case c{i, Trial(query(pair, support::Family::any, plan.seed, i))};
+        ++tally.cases;
+        ++tally.by_status[std::min<std::size_t>(static_cast<std::size_t>(c.trial.toi().status), 4)];
+        Findings findings = judge_alone(c.trial);
+        const bool odd = suspicious(c.trial.toi()) || !findings.empty();
+        if (!pair.unbounded() && (odd || i % plan.referee_every == 0)) {
+            const Findings more = judge_by_reference(c.trial);
+            findings.insert(findings.end(), more.begin(), more.end());
+            measure(tally, c.trial);
+        }
+        complain(tally, c, findings);
+        const bool asked = i % plan.witness_every == 0 || odd;
+        if (asked && !pair.unbounded() && Witnesses::present()) to_witness.push_back(std::move(c));
+    }
+    const std::vector<Statement> statements = witnesses.question(to_witness);
+    for (std::size_t i = 0; i < statements.size(); ++i) {
+        ++tally.witnessed;
+        tally.crashes += statements[i].crashed ? 1U : 0U;
+        tally.hangs += statements[i].hung ? 1U : 0U;
+        for (const Fault& fault : statements[i].against_them)
+            tally.add(fault);
+        complain(tally, to_witness[i], statements[i].against_brink);
+    }
+    return tally;
+}
+
+/// The blocks of a plan in order, pair after pair within a block of indices.
+class Queue {
+public:
+    explicit Queue(const Plan& plan) : plan_(plan), tallies_(plan.pairs.size()) {}
+
+    void work_until_done(const Progress& progress)
+    {
+        Witnesses witnesses;
+        for (;;) {
+            const std::uint64_t job = next_job_.fetch_add(1);
+            const std::uint64_t pair = job % plan_.pairs.size();
+            const std::uint64_t begin = job / plan_.pairs.size() * block_size;
+            if (progress.stopped() || begin >= plan_.cases) {
+                const std::scoped_lock lock(mutex_);
+                first_undone_ = std::min(first_undone_, std::min(begin, plan_.cases));
+                return;
+            }
+            const std::uint64_t end = std::min(begin + block_size, plan_.cases);
+            const Tally tally =
+                work(plan_, plan_.pairs[pair], plan_.first + begin, plan_.first + end, witnesses);
+            const std::scoped_lock lock(mutex_);
+            tallies_[pair].add(tally);
+            done_ += tally.cases;
+            findings_ += tally.brink_findings();
+        }
+    }
+
+    std::uint64_t done() const { return done_; }
+    std::uint64_t findings() const { return findings_; }
+    Outcome outcome(bool stopped) const
+    {
+        return {tallies_, stopped && first_undone_ < plan_.cases, plan_.first + first_undone_};
+    }
+
+private:
+    const Plan& plan_;
+    std::vector<Tally> tallies_;
+    std::mutex mutex_;
+    std::atomic<std::uint64_t> next_job_ = 0, done_ = 0, findings_ = 0;
+    std::uint64_t first_undone_ = ~std::uint64_t{0};
+};
+
+} // namespace
+
+Outcome run(const Plan& plan)
+{
+    Queue queue(plan);
+    Progress progress(plan.cases * plan.pairs.size());
+    std::atomic<int> working = plan.threads;
+    std::vector<std::thread> threads;
+    for (int i = 0; i < plan.threads; ++i)
+        threads.emplace_back([&] {
+            queue.work_until_done(progress);
+            --working;
+        });
+    while (working > 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        progress.tell(queue.done(), queue.findings());
+    }
+    for (std::thread& thread : threads)
+        thread.join();
+    progress.finish(queue.done(), queue.findings());
+    return queue.outcome(progress.stopped());
+}
+
+std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
+{
+    std::vector<Case> one{{index, Trial(query(pair, support::Family::any, seed, index))}};
+    Trial& trial = one.front().trial;
+    std::string out = support::as_cpp(trial.query(), support::in_words(trial.toi()));
+    if (pair.unbounded()) return out;
+    const support::Reference& ref = trial.referee();
+    out += fmt::format(
+        "reference: contact {} at {:.20Lg}, start gap {:.6Lg}, least gap {:.6Lg}, closing {:.6Lg} of {:.6Lg}"
+        ", evaluations {}{}\n",
+        ref.contact, ref.t, ref.start_gap, ref.least_gap, ref.closing_speed, trial.motion().fastest(),
+        ref.evaluations, ref.gave_up ? ", gave up" : "");
+    Findings findings = judge(trial);
+    Witnesses witnesses;
+    const Statement said = witnesses.question(one).front();
+    findings.insert(findings.end(), said.against_brink.begin(), said.against_brink.end());
+    for (const auto& [check, detail] : findings)
+        out += fmt::format("brink: {}: {}\n", check, detail);
+    for (const Fault& fault : said.against_them)
+        out += fmt::format("{} {:.3g}\n", fault.cause, fault.size);
+    if (said.crashed || said.hung) out += "FCL or libccd crashed or hung\n";
+    return out;
+}
+
+} // namespace brink::fuzz

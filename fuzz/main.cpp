@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "campaign.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace {
+
+using namespace brink::fuzz;
+using brink::support::all_pairs;
+using brink::support::pair_named;
+
+constexpr int disagreed = 1;
+constexpr int misused = 2;
+
+std::string known_pairs()
+{
+    std::string out = "all, closed (with a closed form), advancement (the others)";
+    for (const Pair& pair : all_pairs())
+        out += ", " + pair.name();
+    return out;
+}
+
+std::string unknown_pair(const std::string& name)
+{
+    return "no pair is called '" + name + "'. There are: " + known_pairs();
+}
+
+/// One name of --pairs: a pair or a group of pairs.
+std::vector<Pair> named(const std::string& name)
+{
+    std::vector<Pair> out;
+    for (const Pair& pair : all_pairs()) {
+        const bool in_group = name == "all" || (name == "closed" && pair.closed_form()) ||
+                              (name == "advancement" && !pair.closed_form() && !pair.unbounded());
+        if (in_group || pair.name() == name) out.push_back(pair);
+    }
+    return out;
+}
+
+struct Arguments {
+    Plan plan;
+    std::vector<std::string> pairs{"all"};
+    std::string pair;
+    std::uint64_t index = 0;
+};
+
+CLI::App* add_run(CLI::App& app, Arguments& arguments)
+{
+    Plan& plan = arguments.plan;
+    CLI::App* run = app.add_subcommand("run", "Put brink on trial over many cases");
+    run->add_option("--cases", plan.cases, "cases for each pair")
+        ->check(CLI::Range(std::uint64_t{1}, ~std::uint64_t{0} / 2))
+        ->capture_default_str();
+    run->add_option("--seed", plan.seed, "which campaign; a case is a function of seed and index")
+        ->capture_default_str();
+    run->add_option("--first", plan.first, "index of the first case")->capture_default_str();
+    run->add_option("--pairs", arguments.pairs, known_pairs())
+        ->delimiter(',')
+        ->check(
+            [](const std::string& name) { return named(name).empty() ? unknown_pair(name) : std::string(); });
+    run->add_option("--threads", plan.threads, "workers, each with an FCL process of its own")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    run->add_option("--referee-every", plan.referee_every, "every which case the reference judges")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    run->add_option("--witness-every", plan.witness_every, "every which case FCL and libccd judge")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    return run;
+}
+
+CLI::App* add_show(CLI::App& app, Arguments& arguments)
+{
+    CLI::App* show = app.add_subcommand("show", "Print one case as C++, with what every judge says");
+    show->add_option("--pair", arguments.pair, "pair of shapes")
+        ->required()
+        ->check(
+            [](const std::string& name) { return pair_named(name) ? std::string() : unknown_pair(name); });
+    show->add_option("--seed", arguments.plan.seed, "as in run")->capture_default_str();
+    show->add_option("--index", arguments.index, "which case")->required();
+    return show;
+}
+
+int run_campaign(Arguments& arguments)
+{
+    for (const Pair& pair : all_pairs())
+        for (const std::string& name : arguments.pairs) {
+            const std::vector<Pair> group = named(name);
+            const auto same = [&](const Pair& p) { return p.first == pair.first && p.second == pair.second; };
+            if (std::none_of(group.begin(), group.end(), same)) continue;
+            arguments.plan.pairs.push_back(pair);
+            break;
+        }
+    const Outcome outcome = run(arguments.plan);
+    fmt::print("{}", report(arguments.plan.pairs, outcome.tallies));
+    std::uint64_t findings = 0;
+    for (const Tally& tally : outcome.tallies)
+        findings += tally.brink_findings();
+    if (outcome.stopped)
+        fmt::print("stopped: go on with --seed {} --first {}\n", arguments.plan.seed, outcome.next);
+    fmt::print("{} disagreements that are brink's\n", findings);
+    return findings > 0 ? disagreed : 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app{"brink-fuzz: brink's time of impact against a dense reference, FCL and libccd"};
+    app.require_subcommand(1);
+    Arguments arguments;
+    const CLI::App* run = add_run(app, arguments);
+    add_show(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const bool asked_for_help = error.get_exit_code() == 0;
+        if (asked_for_help) return app.exit(error);
+        std::cerr << "brink-fuzz: " << error.what() << "\n\n" << app.help();
+        for (const CLI::App* sub : app.get_subcommands())
+            std::cerr << '\n' << sub->help();
+        return misused;
+    }
+    if (run->parsed()) return run_campaign(arguments);
+    fmt::print("{}", show(*pair_named(arguments.pair), arguments.plan.seed, arguments.index));
+    return 0;
+}

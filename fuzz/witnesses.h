@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tally.h"
+#include "verdict.h"
+
+#include <memory>
+#include <span>
+
+namespace brink::fuzz {
+
+/// A trial and where it came from.
+struct Case {
+    std::uint64_t index = 0;
+    support::Trial trial;
+};
+
+/// What FCL and libccd had to say against an answer, judged by the reference.
+struct Statement {
+    support::Findings against_brink;
+    std::vector<Fault> against_them;
+    bool crashed = false;
+    bool hung = false;
+};
+
+/// FCL and libccd in a child process of their own. Without FCL in the build they have nothing to say.
+class Witnesses {
+public:
+    Witnesses();
+    ~Witnesses();
+    std::vector<Statement> question(std::span<Case>);
+    /// Whether they were asked at all.
+    static bool present();
+
+private:
+    struct Process;
+    std::unique_ptr<Process> process_;
+};
+
+} // namespace brink::fuzz

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+/// Error-free transforms (Dekker 1971, Knuth 1969): a rounded result and its rounding error, which is itself
+/// a double. Exact unless something leaves the normal range. They need -ffp-contract=off.
+namespace brink {
+
+/// The unevaluated sum hi + lo.
+struct Pair {
+    double hi = 0, lo = 0;
+};
+
+static inline Pair two_sum(double a, double b)
+{
+    const double sum = a + b;
+    const double b_part = sum - a;
+    return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+static inline Pair two_difference(double a, double b)
+{
+    return two_sum(a, -b);
+}
+
+/// The same bits with and without fused multiply-add hardware, because the error term is exact either way.
+static inline Pair two_product(double a, double b)
+{
+    const double product = a * b;
+#ifdef __FMA__
+    return {product, std::fma(a, b, -product)};
+#else
+    constexpr double splitter = 134217729; // 2^27 + 1
+    const double a_big = splitter * a, b_big = splitter * b;
+    const double a_hi = a_big - (a_big - a), b_hi = b_big - (b_big - b);
+    const double a_lo = a - a_hi, b_lo = b - b_hi;
+    return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
+#endif
+}
+
+} // namespace brink

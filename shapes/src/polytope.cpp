@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "polytope.h"
+
+#include "feature_pairs.h"
+#include "gjk.h"
+#include "nearest.h"
+#include "sat.h"
+#include "support.h"
+#include "tolerance.h"
+
+#include <algorithm>
+
+namespace brink {
+
+namespace {
+
+/// The corners of a core that its supporting plane touches, which is that far along n.
+Patch touched(const Core& c, V3 n, double height, double slack)
+{
+    unsigned corners = 0;
+    for (int k = 0; k < c.count; ++k)
+        if (std::fabs(dot(c.points[k], n) - height) <= slack) corners |= 1U << k;
+    return {c, corners};
+}
+
+/// The answer with this axis. Once B is moved along it by the gap, the two touch: there are the witness
+/// points.
+Separation touching(const Core& a, const Core& b, const Axis& axis, double slack)
+{
+    const V3 n = axis.normal;
+    const Core moved = placed(b, Rotation{}, -axis.gap * n);
+    const double height = interval(a, n).high;
+    NearestPair pair = nearest_features(touched(a, n, height, slack), touched(moved, n, height, slack));
+    // Of two nearly parallel faces rounding may choose the one beside which the deepest points lie.
+    if (!(pair.square <= slack * slack)) pair = nearest_features({a}, {moved});
+    return {axis.gap, axis.gap, n, pair.point_a, pair.point_a + axis.gap * n};
+}
+
+/// The gap, from the distance of the witness points and the lower bound. What is left between the points of
+/// cores that touch is rounding, and never 0: the supporting planes know better.
+double certified(double distance, double lower, double slack)
+{
+    return distance <= slack ? std::min(distance, lower) : distance;
+}
+
+/// Of two axes the one with the larger gap; the first, where it is within the slack of the distance.
+Axis preferred(const Axis& first, const Axis& second, double enough)
+{
+    return first.gap >= enough || !(second.gap > first.gap) ? first : second;
+}
+
+Axis along(const Core& a, const Core& b, V3 n)
+{
+    const double length = norm(n);
+    if (!(length > 0)) return {};
+    n = (1 / length) * n;
+    return {gap_along(a, b, n), n};
+}
+
+/// Cores apart, or only just touching, that GJK was not certain about.
+Separation by_features(const Core& a, const Core& b, const Axis& axis, double slack)
+{
+    const NearestPair pair = nearest_features({a}, {b});
+    const double distance = std::sqrt(pair.square), enough = distance > slack ? distance - slack : infinity;
+    Axis best = along(a, b, pair.v);
+    for (const Directions& d : {directions(a), directions(b)})
+        for (int k = 0; k < d.edges; ++k)
+            best = preferred(best, along(a, b, across(pair.v, d.edge[k])), enough);
+    best = preferred(best, axis, enough);
+    if (distance > slack && best.gap >= enough && norm(pair.v - distance * best.normal) > slack)
+        return touching(a, b, best, slack);
+    return {std::min(best.gap, distance), certified(distance, best.gap, slack), best.normal, pair.point_a,
+            pair.point_a + pair.v};
+}
+
+} // namespace
+
+Separation polytope_separation(const Core& a, const Core& b)
+{
+    const double slack = tolerance::tight * std::max(extent(a), extent(b));
+    const Closest c = gjk(a, b, slack);
+    if (c.certain)
+        return {c.lower, certified(norm(c.v), c.lower, slack), c.normal, c.point_a, c.point_a + c.v};
+    const Axis axis = separating_axis(a, b);
+    if (axis.gap < -slack) return touching(a, b, axis, slack);
+    return by_features(a, b, axis, slack);
+}
+
+} // namespace brink

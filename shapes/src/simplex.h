@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vector.h"
+
+namespace brink {
+
+/// Up to four corners of the difference B - A, and the weights that make the point of their hull which is
+/// nearest to the origin. Weights are never negative and sum to 1, so that the point lies in the hull
+/// whatever rounding did.
+struct Simplex {
+    struct Corner {
+        V3 w; // b.points[in_b] - a.points[in_a]
+        int in_a = 0, in_b = 0;
+        double weight = 0;
+    };
+    int size = 0;
+    Corner corners[4];
+
+    /// The point that the weights stand for.
+    V3 point() const;
+    bool contains(int in_a, int in_b) const;
+    /// One corner more; fewer than four before.
+    Simplex with(const Corner&) const;
+    /// The same hull's nearest point to the origin, and only the corners that it needs: four only where the
+    /// origin is inside. The last corner must be the newest one.
+    Simplex reduced() const;
+};
+
+} // namespace brink

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+
+/// Every tolerance of the shapes half, with its unit and where it comes from.
+namespace brink::tolerance {
+
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// How far the squared length of a normal or quaternion may be from 1 (no unit): a unit vector rounded to
+/// single precision is off by at most 3 * 2^-24 per component, 4e-7 in the square.
+inline constexpr double unit = 1e-6;
+
+/// A distance is certain when its upper and lower bounds differ by at most this times the scale (no unit; the
+/// scale is the largest coordinate): two support values of three products each and the difference of the
+/// witness points come to some 16 roundings (of epsilon / 2).
+inline constexpr double tight = 8 * epsilon;
+
+/// How far a coordinate of a turned vector may be off, times the sum of the vector's coordinates without sign
+/// (no unit): 17 roundings (of epsilon / 2) in an entry of the rotation, 3 in the product, doubled for
+/// safety.
+inline constexpr double turned = 20 * epsilon;
+
+/// Two edges count as parallel when the sine of their angle is at most this (no unit): the rounding of the
+/// cross product of two unit vectors. Treating them as parallel moves an end by no more than that.
+inline constexpr double parallel = 8 * epsilon;
+
+/// Scales outside of these are first multiplied by a power of two (scene length unit): products of five
+/// lengths stay within the normal range of a double.
+inline constexpr double least_scale = 0x1p-200;
+inline constexpr double largest_scale = 0x1p200;
+
+/// Outside of these a squared length may have lost digits or overflowed (squared length unit).
+inline constexpr double least_square = 0x1p-960;
+inline constexpr double largest_square = 0x1p960;
+
+} // namespace brink::tolerance

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trig.h"
+
+#include "exact.h"
+
+#include <cmath>
+
+namespace brink {
+
+namespace {
+
+// pi/2 as a sum of doubles. The first three keep 33 bits, so that their products with a count of quarter
+// turns (below 2^20) are exact (Cody and Waite 1980); what is left out is below 2^-157.
+constexpr double half_pi[] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69, 0x1.b839a252049c1p-104};
+constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
+
+struct Reduced {
+    Pair angle;  // at most pi/4 (a little more by rounding), to 2^-100
+    int quarter; // quarter turns taken off, 0 to 3
+};
+
+Reduced reduce(double angle)
+{
+    const double turns = std::floor(angle * two_over_pi + 0.5);
+    const double first =
+        angle - turns * half_pi[0]; // exact: both are multiples of 2^-53, the result is below 1
+    const Pair second = two_difference(first, turns * half_pi[1]);
+    const Pair third = two_difference(second.hi, turns * half_pi[2]);
+    const double tail = (second.lo + third.lo) - turns * half_pi[3];
+    const Pair sum = two_sum(third.hi, tail);
+    return {sum, static_cast<int>(turns - 4 * std::floor(turns / 4))};
+}
+
+// The Taylor series, whose remainders at pi/4 are below 2^-63 and 2^-59 of the result.
+double sine(Pair x)
+{
+    const double s = x.hi * x.hi;
+    const double p =
+        s * (-1.0 / 6 +
+             s * (1.0 / 120 +
+                  s * (-1.0 / 5040 + s * (1.0 / 362880 +
+                                          s * (-1.0 / 39916800 + s * (1.0 / 6227020800 +
+                                                                      s * (-1.0 / 1307674368000 +
+                                                                           s * (1.0 / 355687428096000))))))));
+    return x.hi + (x.hi * p + x.lo * (1 - 0.5 * s));
+}
+
+double cosine(Pair x)
+{
+    const Pair square = two_product(x.hi, x.hi);
+    const double s = square.hi;
+    const double p =
+        s * s *
+        (1.0 / 24 + s * (-1.0 / 720 +
+                         s * (1.0 / 40320 + s * (-1.0 / 3628800 +
+                                                 s * (1.0 / 479001600 + s * (-1.0 / 87178291200 +
+                                                                             s * (1.0 / 20922789888000)))))));
+    const Pair first = two_difference(1, 0.5 * s);
+    return first.hi + (first.lo + (p - 0.5 * square.lo - x.hi * x.lo));
+}
+
+} // namespace
+
+SinCos sin_cos(double angle)
+{
+    const Reduced r = reduce(angle);
+    const double s = sine(r.angle), c = cosine(r.angle);
+    switch (r.quarter) {
+    case 0:
+        return {s, c};
+    case 1:
+        return {c, -s};
+    case 2:
+        return {-s, -c};
+    default:
+        return {-c, s};
+    }
+}
+
+double angle_of(SinCos d)
+{
+    const double small = std::fabs(d.cos) < d.sin ? std::fabs(d.cos) : d.sin;
+    const double large = std::fabs(d.cos) < d.sin ? d.sin : std::fabs(d.cos);
+    const double m = small / large;
+    double angle = m / (1 + 0.28 * m * m); // arc tangent to 0.005
+    const double quarter = half_pi[0] + half_pi[1];
+    if (std::fabs(d.cos) < d.sin) angle = quarter - angle;
+    if (d.cos < 0) angle = 2 * quarter - angle;
+    for (int i = 0; i < 2; ++i) { // the error e becomes e^3 / 6
+        const SinCos at = sin_cos(angle);
+        angle += d.sin * at.cos - d.cos * at.sin;
+    }
+    return angle;
+}
+
+} // namespace brink

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reference.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace brink::support {
+
+/// One way in which an answer breaks a promise of the design.
+struct Finding {
+    std::string check;  // which promise: "late", "missed a hit", "swap", ...
+    std::string detail; // the figures
+};
+using Findings = std::vector<Finding>;
+
+/// A query, the answer on trial, and the reference's answer, asked for only when something needs it.
+class Trial {
+public:
+    Trial(const Query&, const Toi&);
+    explicit Trial(const Query& q) : Trial(q, answer(q)) {}
+
+    const Query& query() const { return query_; }
+    const Toi& toi() const { return toi_; }
+    const GapOverTime& motion();
+    const Reference& referee();
+
+    /// 16 eps S: the rounding that design promise 3 allows for.
+    Real rounding() { return 16 * 0x1p-52L * motion().scale(); }
+
+    /// What promise 3 allows gap(t) - target_gap to be, without the last bit of t: the rounding where a
+    /// closed form decides, else no less than the tolerance.
+    Real band();
+
+    /// Whether the start is so near the target gap that rounding decides if there is contact to be ignored.
+    bool start_in_doubt();
+
+    /// How far two right answers may lie apart in t: the last bits, and the band over the closing speed.
+    Real spread();
+
+private:
+    Query query_;
+    Toi toi_;
+    std::optional<GapOverTime> motion_;
+    std::optional<Reference> reference_;
+};
+
+/// What brink's own answers must agree on: status and t in range, unit normal, points consistent, time_only,
+/// t_max, swapped sides, the world moved rigidly. Asks the reference only about how far apart two answers may
+/// be.
+Findings judge_alone(Trial&);
+
+/// Against the reference: apart before t and not late, touching at t, `separated` really separated, t_upper,
+/// contact at the start, gap, normal and points.
+Findings judge_by_reference(Trial&);
+
+/// Both.
+Findings judge(Trial&);
+
+} // namespace brink::support
