@@ -37,10 +37,7 @@ std::string machine()
                        BRINK_BENCH_VERSION, BRINK_BENCH_FCL_VERSION);
 }
 
-std::string build_name()
-{
-    return BRINK_BENCH_BUILD;
-}
+std::string build_name() { return BRINK_BENCH_BUILD; }
 
 bool runs_v3()
 {

@@ -13,8 +13,7 @@ Pose moved(const Motion& motion, double t)
 
 /// Stops at the first part whose end shows an overlap, as a simulator would. The step's beginning was the end
 /// of the step before.
-template <int parts>
-std::optional<double> discrete(const Question& q)
+template <int parts> std::optional<double> discrete(const Question& q)
 {
     for (int k = 1; k <= parts; ++k) {
         const double t = static_cast<double>(k) / parts;
@@ -24,8 +23,7 @@ std::optional<double> discrete(const Question& q)
     return std::nullopt;
 }
 
-template <FclQuestion solver>
-std::optional<double> continuous(const Question& q)
+template <FclQuestion solver> std::optional<double> continuous(const Question& q)
 {
     return fcl_continuous(solver, q.fcl_a, q.crossing.motion_a, q.fcl_b, q.crossing.motion_b);
 }

@@ -41,10 +41,7 @@ std::string Output::draw(std::string_view stem, std::string_view script) const
     return fmt::format("Picture: {0}.svg and {0}.png", path_of(stem));
 }
 
-std::string Output::path_of(std::string_view name) const
-{
-    return (folder_ / name).string();
-}
+std::string Output::path_of(std::string_view name) const { return (folder_ / name).string(); }
 
 std::string shell_quoted(std::string_view text)
 {

@@ -184,10 +184,7 @@ private:
 
 } // namespace
 
-std::vector<Timing> measure_pairs(Rivals rivals)
-{
-    return Bench(rivals).run();
-}
+std::vector<Timing> measure_pairs(Rivals rivals) { return Bench(rivals).run(); }
 
 std::string timings_csv(const std::vector<Timing>& timings)
 {

@@ -11,10 +11,7 @@ namespace {
 
 constexpr std::array decades{0.1, 1.0, 10.0, 100.0, 1000.0};
 
-double percent(int part, int whole)
-{
-    return 100.0 * part / whole;
-}
+double percent(int part, int whole) { return 100.0 * part / whole; }
 
 /// "0" only where there is none: a share that would round to it is shown as less than the last digit.
 std::string share(int part, int whole)
@@ -34,10 +31,10 @@ void add_scene(fmt::memory_buffer& text, const std::vector<Row>& rows, const Sce
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "\n{}: {} true crossings; speed in units of {}\n", scene.title,
                    thousands(total(rows, scene, methods.back()).crossings), scene.thickness);
-    fmt::format_to(out, "  {:<29} {:>36}   {:>8}  {:>7}  {:>9}  {:>9}\n", "",
-                   "missed, % of true crossings, at speed", "missed,", "late,", "worst er-", "ns per");
-    fmt::format_to(out, "  {:<29}  {:>6} {:>6} {:>6} {:>6} {:>6}   {:>8}  {:>7}  {:>9}  {:>9}\n", "method",
-                   "0.1", "1", "10", "100", "1000", "% of all", "% of all", "ror, step", "query");
+    fmt::format_to(out, "  {:<29} {:>36}   {:>8}  {:>7}  {:>10}  {:>9}\n", "",
+                   "missed, % of true crossings, at speed", "missed,", "late,", "late by up", "ns per");
+    fmt::format_to(out, "  {:<29}  {:>6} {:>6} {:>6} {:>6} {:>6}   {:>8}  {:>7}  {:>10}  {:>9}\n", "method",
+                   "0.1", "1", "10", "100", "1000", "% of all", "% of all", "to, steps", "query");
     for (const Method& method : methods) {
         fmt::format_to(out, "  {:<29} ", method.title);
         for (const Row& row : rows) {
@@ -47,8 +44,8 @@ void add_scene(fmt::memory_buffer& text, const std::vector<Row>& rows, const Sce
                 fmt::format_to(out, " {:>6}", share(row.tally.missed, row.tally.crossings));
         }
         const Tally all = total(rows, scene, method);
-        fmt::format_to(out, "   {:>8}  {:>8}  {:>9.1e}  {:>9.0f}\n", share(all.missed, all.crossings),
-                       share(all.late, all.crossings), all.worst_error, all.ns);
+        fmt::format_to(out, "   {:>8}  {:>8}  {:>10.1e}  {:>9.0f}\n", share(all.missed, all.crossings),
+                       share(all.late, all.crossings), all.latest, all.ns);
     }
 }
 
@@ -67,16 +64,16 @@ key_y(m) = m <= 3 ? 0.09 : 0.04
 
 do for [format in 'svg png'] {
     if (format eq 'svg') {
-        set terminal svg size 1500,760 dynamic enhanced font 'DejaVu Sans,18' background '#ffffff'
+        set terminal svg size 1500,760 dynamic enhanced rounded font 'DejaVu Sans,18' background '#ffffff'
         large = ',27'; middle = ',21'
     } else {
-        set terminal pngcairo size 1500,760 enhanced font 'DejaVu Sans,14' background '#ffffff'
+        set terminal pngcairo size 1500,760 enhanced rounded font 'DejaVu Sans,14' background '#ffffff'
         large = ',21'; middle = ',16'
     }
     set output 'tunnelling.' . format
     set multiplot
     set logscale x
-    set xrange [0.1:1000]
+    set xrange [0.09:1150]
     set yrange [-15:104]
     set xtics ('0.1' 0.1, '1' 1, '10' 10, '100' 100, '1000' 1000) nomirror
     set ytics 0, 25, 100 nomirror
@@ -104,10 +101,12 @@ do for [format in 'svg png'] {
                     pointtype mark[m] pointsize 1
             }
         }
-        plot for [m = 1:5] 'tunnelling.csv' using 'speed_over_thickness':(missed(s, m)) with linespoints \
+        plot for [m = 1:4] 'tunnelling.csv' using 'speed_over_thickness':(missed(s, m)) with linespoints \
                  linecolor rgb colour[m] linewidth width[m] pointtype mark[m] pointsize 0.9, \
              'tunnelling.csv' using 'speed_over_thickness':(missed(s, 6)) with lines \
-                 linecolor rgb colour[6] linewidth width[6]
+                 linecolor rgb colour[6] linewidth width[6], \
+             'tunnelling.csv' using 'speed_over_thickness':(missed(s, 5)) with linespoints \
+                 linecolor rgb colour[5] linewidth width[5] pointtype mark[5] pointsize 0.9
         unset label
         unset arrow
         unset ylabel
@@ -135,7 +134,8 @@ Tally total(const std::vector<Row>& rows, const Scene& scene, const Method& meth
         sum.crossings += row.tally.crossings;
         sum.missed += row.tally.missed;
         sum.late += row.tally.late;
-        sum.worst_error = std::max(sum.worst_error, row.tally.worst_error);
+        sum.latest = std::max(sum.latest, row.tally.latest);
+        sum.earliest = std::max(sum.earliest, row.tally.earliest);
     }
     sum.ns /= std::max(sum.crossings, 1);
     return sum;
@@ -144,13 +144,14 @@ Tally total(const std::vector<Row>& rows, const Scene& scene, const Method& meth
 std::string tunnelling_csv(const std::vector<Row>& rows)
 {
     std::string text =
-        "scene,method,speed_over_thickness,crossings,missed,missed_percent,late,worst_error_steps,"
+        "scene,method,speed_over_thickness,crossings,missed,missed_percent,late,latest_steps,earliest_steps,"
         "ns_per_query\n";
     for (const Row& row : rows) {
         const Tally& tally = row.tally;
-        text += fmt::format("{},{},{:.4g},{},{},{:.4g},{},{:.3g},{:.1f}\n", row.scene->name, row.method->name,
-                            row.speed, tally.crossings, tally.missed, percent(tally.missed, tally.crossings),
-                            tally.late, tally.worst_error, tally.ns);
+        text += fmt::format("{},{},{:.4g},{},{},{:.4g},{},{:.3g},{:.3g},{:.1f}\n", row.scene->name,
+                            row.method->name, row.speed, tally.crossings, tally.missed,
+                            percent(tally.missed, tally.crossings), tally.late, tally.latest, tally.earliest,
+                            tally.ns);
     }
     return text;
 }

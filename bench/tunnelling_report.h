@@ -11,10 +11,11 @@ namespace brink::bench {
 /// What one method did with a number of true crossings.
 struct Tally {
     int crossings = 0;
-    int missed = 0;         // no contact reported in the step
-    int late = 0;           // reported, but later than 1e-3 of the step after it happened
-    double worst_error = 0; // |reported - true| moment of contact, in steps, over those reported
-    double ns = 0;          // per query
+    int missed = 0;      // no contact reported in the step
+    int late = 0;        // reported, but later than 1e-3 of the step after it happened
+    double latest = 0;   // reported - true moment of contact, the most of those reported, steps
+    double earliest = 0; // true - reported, likewise
+    double ns = 0;       // per query
 };
 
 /// One scene and method at one speed (relative distance moved per step over wall thickness).

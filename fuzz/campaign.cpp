@@ -28,9 +28,12 @@ bool suspicious(const Toi& toi)
 
 void complain(Tally& tally, const Case& c, const Findings& findings)
 {
-    for (const auto& [check, detail] : findings)
-        tally.add(Complaint{c.index, check, detail,
-                            support::as_cpp(c.trial.query(), support::in_words(c.trial.toi()))});
+    for (const support::Finding& f : findings) {
+        const support::Query& asked = f.asked ? *f.asked : c.trial.query();
+        const std::string note =
+            f.asked ? "as asked otherwise: " + f.detail : support::in_words(c.trial.toi());
+        tally.add(Complaint{c.index, f.check, f.detail, support::as_cpp(asked, note)});
+    }
 }
 
 void measure(Tally& tally, Trial& trial)
@@ -157,8 +160,8 @@ std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
     Witnesses witnesses;
     const Statement said = witnesses.question(one).front();
     findings.insert(findings.end(), said.against_brink.begin(), said.against_brink.end());
-    for (const auto& [check, detail] : findings)
-        out += fmt::format("brink: {}: {}\n", check, detail);
+    for (const support::Finding& f : findings)
+        out += fmt::format("brink: {}: {}\n{}", f.check, f.detail, f.asked ? support::as_cpp(*f.asked) : "");
     for (const Fault& fault : said.against_them)
         out += fmt::format("{} {:.3g}\n", fault.cause, fault.size);
     if (said.crashed || said.hung) out += "FCL or libccd crashed or hung\n";

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-/// Distances of cores (radii left out) the long way round, in long double: every corner against every face, every
-/// edge against every edge, every axis. No cleverness, and no code shared with the library.
+/// Distances of cores (radii left out) the long way round, in long double: every corner against every face,
+/// every edge against every edge, every axis. No cleverness, and no code shared with the library.
 namespace brink::brute {
 
 using Real = long double;
@@ -47,7 +47,8 @@ struct Polytope {
 inline Polytope polytope(const Core& core)
 {
     Polytope p;
-    for (int k = 0; k < core.count; ++k) p.corners.push_back(real(core.points[k]));
+    for (int k = 0; k < core.count; ++k)
+        p.corners.push_back(real(core.points[k]));
     const auto& c = p.corners;
     if (core.kind == Core::Kind::segment) p.edges = {{c[0], c[1]}};
     if (core.kind == Core::Kind::triangle) {
@@ -78,7 +79,8 @@ inline Real to_segment(R3 p, const Edge& e)
 
 inline Real edge_edge(const Edge& e, const Edge& f)
 {
-    const Real ends = std::min({to_segment(e.from, f), to_segment(e.to, f), to_segment(f.from, e), to_segment(f.to, e)});
+    const Real ends =
+        std::min({to_segment(e.from, f), to_segment(e.to, f), to_segment(f.from, e), to_segment(f.to, e)});
     const R3 u = e.to - e.from, v = f.to - f.from, n = cross(u, v), r = f.from - e.from;
     const Real square = dot(n, n);
     if (!(square > 0)) return ends;
@@ -97,7 +99,8 @@ inline Real to_face(R3 p, Face f)
     if (!(height > 1e-17L * base)) return infinity; // a segment, or a point
     const Real up = dot(q, y) / height, on = (dot(q, x) - up * lean) / base;
     constexpr Real seam = 1e-17L; // a rectangle's two halves leave no gap between them
-    return up >= -seam && on >= -seam && up + on <= 1 + seam ? std::fabs(dot(q, cross(x, y))) : Real{infinity};
+    return up >= -seam && on >= -seam && up + on <= 1 + seam ? std::fabs(dot(q, cross(x, y)))
+                                                             : Real{infinity};
 }
 
 /// The distance, when the two are apart.
@@ -105,16 +108,22 @@ inline Real features(const Polytope& a, const Polytope& b)
 {
     Real least = infinity;
     for (const R3 p : a.corners) {
-        for (const R3 q : b.corners) least = std::min(least, norm(p - q));
-        for (const Edge& e : b.edges) least = std::min(least, to_segment(p, e));
-        for (const Face& f : b.faces) least = std::min(least, to_face(p, f));
+        for (const R3 q : b.corners)
+            least = std::min(least, norm(p - q));
+        for (const Edge& e : b.edges)
+            least = std::min(least, to_segment(p, e));
+        for (const Face& f : b.faces)
+            least = std::min(least, to_face(p, f));
     }
     for (const R3 q : b.corners) {
-        for (const Edge& e : a.edges) least = std::min(least, to_segment(q, e));
-        for (const Face& f : a.faces) least = std::min(least, to_face(q, f));
+        for (const Edge& e : a.edges)
+            least = std::min(least, to_segment(q, e));
+        for (const Face& f : a.faces)
+            least = std::min(least, to_face(q, f));
     }
     for (const Edge& e : a.edges)
-        for (const Edge& f : b.edges) least = std::min(least, edge_edge(e, f));
+        for (const Edge& f : b.edges)
+            least = std::min(least, edge_edge(e, f));
     return least;
 }
 
@@ -123,8 +132,10 @@ inline Real along(const Polytope& a, const Polytope& b, R3 n)
 {
     n = unit(n);
     Real high = -infinity, low = infinity;
-    for (const R3 p : a.corners) high = std::max(high, dot(n, p));
-    for (const R3 q : b.corners) low = std::min(low, dot(n, q));
+    for (const R3 p : a.corners)
+        high = std::max(high, dot(n, p));
+    for (const R3 q : b.corners)
+        low = std::min(low, dot(n, q));
     return low - high;
 }
 
@@ -135,11 +146,13 @@ inline std::vector<R3> axes(const Polytope& a, const Polytope& b)
     for (const Polytope* p : {&a, &b}) {
         for (const Face& f : p->faces) {
             R3 n = cross(f.b - f.a, f.c - f.a);
-            for (const R3 e : {f.b - f.a, f.c - f.b, f.a - f.c}) n = across(n, unit(e));
+            for (const R3 e : {f.b - f.a, f.c - f.b, f.a - f.c})
+                n = across(n, unit(e));
             all.push_back(n);
         }
         for (const Edge& e : p->edges)
-            for (const R3 x : {R3{1, 0, 0}, R3{0, 1, 0}, R3{0, 0, 1}}) all.push_back(cross(e.to - e.from, x));
+            for (const R3 x : {R3{1, 0, 0}, R3{0, 1, 0}, R3{0, 0, 1}})
+                all.push_back(cross(e.to - e.from, x));
     }
     for (const Edge& e : a.edges)
         for (const Edge& f : b.edges) {
@@ -162,7 +175,8 @@ inline double scale(const Core& a, const Core& b)
 {
     Real largest = 0;
     for (const Core* c : {&a, &b})
-        for (int k = 0; k < c->count; ++k) largest = std::max(largest, norm(real(c->points[k])));
+        for (int k = 0; k < c->count; ++k)
+            largest = std::max(largest, norm(real(c->points[k])));
     return static_cast<double>(largest);
 }
 
@@ -178,8 +192,8 @@ inline double distance(const Core& a, const Core& b)
 
 namespace brink {
 
-/// Cores without radius, biased to the nasty: flat, needles, points, parallel, on a grid, sharing corners, all but
-/// collinear, touching up to nothing or a little.
+/// Cores without radius, biased to the nasty: flat, needles, points, parallel, on a grid, sharing corners,
+/// all but collinear, touching up to nothing or a little.
 class NastyCores {
 public:
     explicit NastyCores(std::uint64_t seed) : random(seed) {}
@@ -222,7 +236,8 @@ public:
         if (kind == Core::Kind::point) return core(Sphere{});
         const V3 on_line = p + s * (q - p);
         const V3 third = choice == 0 ? q : choice == 1 ? on_line : choice == 2 ? on_line + little * r : r;
-        return core(Triangle{store(choice == 3 ? p + little * q : p), store(choice == 4 ? 1e6 * q : q), store(third)});
+        return core(Triangle{store(choice == 3 ? p + little * q : p), store(choice == 4 ? 1e6 * q : q),
+                             store(third)});
     }
 
     struct Pair {
@@ -234,13 +249,15 @@ public:
         const Core a = local(kind_a), b = local(kind_b);
         const Quat qa = orientation(), qb = orientation();
         const V3 at = point();
-        const int choice = random.index(8), corner_a = random.index(a.count), corner_b = random.index(b.count);
+        const int choice = random.index(8), corner_a = random.index(a.count),
+                  corner_b = random.index(b.count);
         const double off = random.log_between(1e-17, 1e-3), sign = random.index(3) - 1;
         const Rotation turn_b = rotation(choice < 3 ? qa : qb);
         const Core placed_a = placed(a, rotation(qa), {}), placed_b = placed(b, turn_b, at);
         if (choice == 0) return {placed_a, placed(b, turn_b, 1e6 * at)};
         if (choice == 1) // share a corner
-            return {placed_a, placed(b, turn_b, at + (placed_a.points[corner_a] - placed_b.points[corner_b]))};
+            return {placed_a,
+                    placed(b, turn_b, at + (placed_a.points[corner_a] - placed_b.points[corner_b]))};
         if (choice > 4) return {placed_a, placed_b};
         const Separation s = separation(placed_a, placed_b);
         return {placed_a, placed(b, turn_b, at + (sign * off - s.gap) * s.normal)};

@@ -9,10 +9,7 @@ using namespace brink::support;
 
 namespace {
 
-Pose at(double x, double y, double z)
-{
-    return {Vec3(x, y, z), Quat(1, 0, 0, 0)};
-}
+Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat(1, 0, 0, 0)}; }
 
 double gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b)
 {
@@ -20,10 +17,7 @@ double gap_between(const Shape& a, const Pose& pose_a, const Shape& b, const Pos
         GapOverTime(Query{a, Motion::still(pose_a), b, Motion::still(pose_b), {}}).at(0).gap);
 }
 
-Reference ask(const Query& q)
-{
-    return reference(q, GapOverTime(q));
-}
+Reference ask(const Query& q) { return reference(q, GapOverTime(q)); }
 
 constexpr double rounding = 1e-15; // sizes of about 1; the reference itself is good to 1e-18
 

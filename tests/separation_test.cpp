@@ -10,14 +10,16 @@ using namespace brink;
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr Core::Kind kinds[] = {Core::Kind::point, Core::Kind::segment, Core::Kind::triangle, Core::Kind::box};
+constexpr Core::Kind kinds[] = {Core::Kind::point, Core::Kind::segment, Core::Kind::triangle,
+                                Core::Kind::box};
 
 Core segment(V3 a, V3 b, double radius = 0) { return core(Capsule{store(a), store(b), radius}); }
 Core triangle(V3 a, V3 b, V3 c) { return core(Triangle{store(a), store(b), store(c)}); }
 Core at(Core c, V3 position) { return placed(c, {}, position); }
 Core scaled(Core c, double factor)
 {
-    for (int k = 0; k < c.count; ++k) c.points[k] = factor * c.points[k];
+    for (int k = 0; k < c.count; ++k)
+        c.points[k] = factor * c.points[k];
     c.centre = factor * c.centre;
     c.half_extents = factor * c.half_extents;
     c.radius *= factor;
@@ -39,8 +41,8 @@ void check(const Separation& s, const Core& a, const Core& b, double truth)
 {
     const double rounding = 48 * eps * brute::scale(a, b);
     const V3 closing = s.point_b - s.point_a - s.gap * s.normal;
-    const double lower = static_cast<double>(
-        brute::along(brute::polytope(a), brute::polytope(b), brute::real(s.normal)));
+    const double lower =
+        static_cast<double>(brute::along(brute::polytope(a), brute::polytope(b), brute::real(s.normal)));
     CHECK(std::fabs(s.gap - truth) <= rounding);
     CHECK(std::fabs(s.lower - lower) <= rounding);
     CHECK(s.gap - s.lower <= rounding);
@@ -69,7 +71,8 @@ TEST_CASE("separation: balls, radii and all")
 
 TEST_CASE("separation: two crossing segments touch along the normal of both")
 {
-    const Separation s = separation(segment({-1, 0, 0}, {1, 0, 0}, 0.25), segment({0, -1, 0}, {0, 1, 0}, 0.5));
+    const Separation s =
+        separation(segment({-1, 0, 0}, {1, 0, 0}, 0.25), segment({0, -1, 0}, {0, 1, 0}, 0.5));
     CHECK(s.gap == -0.75);
     CHECK(s.lower == -0.75);
     CHECK(std::fabs(s.normal.z) == 1);

@@ -41,11 +41,11 @@ Entry capsule_capsule(const Capsule& a, const Capsule& b, const Approach& m)
     const Rotation turn_a = m.turn_a(), turn_b = m.turn_b();
     const V3 a0 = turn_a * load(a.a), a1 = turn_a * load(a.b);
     const V3 b0 = turn_b * load(b.a), b1 = turn_b * load(b.b);
-    const V3 corners[] = {b0 - a0, b1 - a0, b1 - a1, b0 - a1};
-    const V3 edge_a = a1 - a0, edge_b = b1 - b0, centre = 0.5 * (corners[0] + corners[2]);
-    const double reach = 0.5 * (norm(edge_a) + norm(edge_b));
-    const Entry e = polygon_entry(corners, cross(edge_a, edge_b), centre, reach, m.from, m.by,
-                                  a.radius + b.radius + m.target_gap);
+    const V3 edge_a = a1 - a0, edge_b = b1 - b0;
+    Polygon<4> difference{{b0 - a0, b1 - a0, b1 - a1, b0 - a1}, careful_cross(edge_a, edge_b), {}, 0};
+    difference.centre = 0.5 * (difference.corner[0] + difference.corner[2]);
+    difference.reach = 0.5 * (norm(edge_a) + norm(edge_b));
+    const Entry e = polygon_entry(difference, m.from, m.by, a.radius + b.radius + m.target_gap);
     if (e.t == 0 || e.t == infinity) return e;
     return split(e, {a0, edge_a}, {b0, edge_b});
 }

@@ -3,6 +3,7 @@
 
 #include "approach.h"
 #include "quadratic.h"
+#include "tolerance.h"
 
 namespace brink {
 
@@ -62,25 +63,46 @@ static inline bool passes(V3 from, V3 by, V3 centre, double radius)
     return norm_squared(cross(from - centre, by)) > radius * radius * norm_squared(by);
 }
 
-/// The same against a filled, convex polygon. The path enters the slab of points within `radius` of its
-/// plane; over the polygon that is contact, elsewhere only the outline can be met. `centre` and `reach` are
-/// those of a ball that holds the polygon.
-template <int N>
-Entry polygon_entry(const V3 (&corner)[N], V3 normal, V3 centre, double reach, V3 from, V3 by, double radius)
+/// Whether a point in the plane of a polygon lies inside an edge. Nearer to the edge's line than rounding can
+/// tell, it must also lie between the edge's ends: otherwise a sliver, all of it that near, would reach
+/// beyond its tips.
+static inline bool inside_edge(V3 inward, V3 edge, V3 m, double margin)
 {
-    if (passes(from, by, centre, (reach + radius) * (1 + 0x1p-40))) return {};
-    const double length_squared = norm_squared(normal), length = std::sqrt(length_squared);
-    const double height = dot(normal, from - corner[0]), side = height < 0 ? -1 : 1;
-    const double above = side * height - radius * length, climb = side * dot(normal, by);
+    const double depth = dot(inward, m), along = dot(edge, m);
+    return (depth >= margin) | ((depth > -margin) & (along >= 0) & (along <= norm_squared(edge)));
+}
+
+/// A convex polygon with counter-clockwise corners about `normal` (of any length, and right however small),
+/// and a ball that holds it.
+template <int N> struct Polygon {
+    V3 corner[N];
+    V3 normal;
+    V3 centre;
+    double reach;
+};
+
+/// A moving point against a filled polygon grown by `radius`. The path enters the slab of points within
+/// `radius` of the plane; over the polygon that is contact, elsewhere only the outline can be met.
+template <int N> Entry polygon_entry(const Polygon<N>& p, V3 from, V3 by, double radius)
+{
+    if (passes(from, by, p.centre, (p.reach + radius) * (1 + 0x1p-40))) return {};
+    const double length_squared = norm_squared(p.normal), length = std::sqrt(length_squared);
+    const double height = dot(p.normal, from - p.corner[0]), side = height < 0 ? -1 : 1;
+    const double above = side * height - radius * length, climb = side * dot(p.normal, by);
     if (above > 0 && !(above <= -climb)) return {}; // later than t = 1
     const double t = above > 0 ? above / -climb : 0;
     const V3 at = from + t * by;
+    const double scale =
+        sum_of_magnitudes(from) + sum_of_magnitudes(by) + sum_of_magnitudes(p.centre) + p.reach;
+    const double margin = tolerance::core_noise * length * scale;
     bool over = length > 0;
-    for (int i = 0; i < N; ++i)
-        over &= dot(cross(normal, corner[(i + 1) % N] - corner[i]), at - corner[i]) >= 0;
-    if (!over) return outline_entry(corner, from, by, radius);
-    const double lift = dot(normal, at - corner[0]) / length_squared;
-    return {t, at, at - lift * normal, -side * normal};
+    for (int i = 0; i < N; ++i) {
+        const V3 edge = p.corner[(i + 1) % N] - p.corner[i];
+        over &= inside_edge(cross(p.normal, edge), edge, at - p.corner[i], margin * sum_of_magnitudes(edge));
+    }
+    if (!over) return outline_entry(p.corner, from, by, radius);
+    const double lift = dot(p.normal, at - p.corner[0]) / length_squared;
+    return {t, at, at - lift * p.normal, -side * p.normal};
 }
 
 } // namespace brink

@@ -10,15 +10,12 @@ namespace brink {
 Entry sphere_triangle(const Sphere& a, const Triangle& b, const Approach& m)
 {
     const Rotation turn = m.turn_b();
-    const V3 local[] = {load(b.a), load(b.b), load(b.c)};
-    const V3 normal = turn * cross(local[1] - local[0], local[2] - local[0]);
-    const V3 corners[] = {turn * local[0], turn * local[1], turn * local[2]};
-    const V3 centre = (1.0 / 3) * (corners[0] + corners[1] + corners[2]);
-    const double reach_squared =
-        std::max({norm_squared(corners[0] - centre), norm_squared(corners[1] - centre),
-                  norm_squared(corners[2] - centre)});
-    return polygon_entry(corners, normal, centre, std::sqrt(reach_squared), m.from, m.by,
-                         a.radius + m.target_gap);
+    const V3 la = load(b.a), lb = load(b.b), lc = load(b.c);
+    Polygon<3> p{{turn * la, turn * lb, turn * lc}, turn * careful_cross(lb - la, lc - la), {}, 0};
+    p.centre = (1.0 / 3) * (p.corner[0] + p.corner[1] + p.corner[2]);
+    p.reach = std::sqrt(std::max({norm_squared(p.corner[0] - p.centre), norm_squared(p.corner[1] - p.centre),
+                                  norm_squared(p.corner[2] - p.centre)}));
+    return polygon_entry(p, m.from, m.by, a.radius + m.target_gap);
 }
 
 } // namespace brink

@@ -7,8 +7,8 @@
 
 namespace brink {
 
-/// A bounded shape as the solvers see it: a core (a point, a segment, a triangle or a box) and the radius that
-/// is grown around it, placed in some common frame. Radii only ever appear as a sum.
+/// A bounded shape as the solvers see it: a core (a point, a segment, a triangle or a box) and the radius
+/// that is grown around it, placed in some common frame. Radii only ever appear as a sum.
 struct Core {
     enum class Kind : unsigned char { point, segment, triangle, box };
     Kind kind = Kind::point;
@@ -45,10 +45,10 @@ struct Separation {
     /// A lower bound of the true gap up to rounding: the distance between the two supporting planes at right
     /// angles to `normal`. Where GJK is exact it equals `gap` to a few ulp of the scale.
     double lower = 0;
-    double gap = 0;  // between the witness points; minus the penetration depth when the shapes overlap
-    V3 normal;       // unit, from A towards B
-    V3 point_a;      // on the surface of A
-    V3 point_b;      // on the surface of B
+    double gap = 0; // between the witness points; minus the penetration depth when the shapes overlap
+    V3 normal;      // unit, from A towards B
+    V3 point_a;     // on the surface of A
+    V3 point_b;     // on the surface of B
 };
 
 /// The same answer with A and B exchanged.

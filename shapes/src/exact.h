@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "vector.h"
+
 #include <cmath>
 
 /// Error-free transforms (Dekker 1971, Knuth 1969): a rounded result and its rounding error, which is itself
@@ -19,10 +21,7 @@ static inline Pair two_sum(double a, double b)
     return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-static inline Pair two_difference(double a, double b)
-{
-    return two_sum(a, -b);
-}
+static inline Pair two_difference(double a, double b) { return two_sum(a, -b); }
 
 /// The same bits with and without fused multiply-add hardware, because the error term is exact either way.
 static inline Pair two_product(double a, double b)
@@ -37,6 +36,20 @@ static inline Pair two_product(double a, double b)
     const double a_lo = a - a_hi, b_lo = b - b_hi;
     return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
 #endif
+}
+
+/// a b - c d within 2 ulp, however much of it cancels (W. Kahan 2004).
+static inline double difference_of_products(double a, double b, double c, double d)
+{
+    const Pair p = two_product(a, b), q = two_product(c, d);
+    return (p.hi - q.hi) + (p.lo - q.lo);
+}
+
+/// The cross product with every component within 2 ulp: that of nearly parallel vectors keeps its direction.
+static inline V3 careful_cross(V3 a, V3 b)
+{
+    return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+            difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 } // namespace brink

@@ -37,8 +37,8 @@ Separation core_separation(const Core& a, const Core& b);
 Separation the_long_way(const Core& a, const Core& b)
 {
     const double scale = std::max(extent(a), extent(b));
-    if (scale == 0 || (scale >= tolerance::least_scale && scale <= tolerance::largest_scale))
-        return polytope_separation(a, b);
+    const bool usual = scale >= tolerance::least_scale && scale <= tolerance::largest_scale;
+    if (scale == 0 || usual || scale == infinity) return polytope_separation(a, b);
     const int e = exponent(scale);
     return scaled(core_separation(scaled(a, -e), scaled(b, -e)), e);
 }
@@ -74,8 +74,7 @@ template <int count> Separation confirmed(const Core& a, const Core& b, const V3
         lower = std::min(lower, dot(normal, corner));
         scale = std::max(scale, std::fabs(corner.x) + std::fabs(corner.y) + std::fabs(corner.z));
     }
-    if (!in_range(square) || !(distance - lower <= tolerance::tight * scale))
-        return the_long_way(a, b);
+    if (!in_range(square) || !(distance - lower <= tolerance::tight * scale)) return the_long_way(a, b);
     return {lower, distance, normal, a.points[0], a.points[0] + v};
 }
 
@@ -128,8 +127,7 @@ Separation segment_segment(const Core& a, const Core& b)
     const double near = std::min(0.0, dot(normal, e)), far = std::max(0.0, dot(normal, d));
     const double lower = dot(normal, r) + near - far;
     const double scale = std::sqrt(norm_squared(r) + norm_squared(d) + norm_squared(e));
-    if (!in_range(square) || !(distance - lower <= tolerance::tight * scale))
-        return the_long_way(a, b);
+    if (!in_range(square) || !(distance - lower <= tolerance::tight * scale)) return the_long_way(a, b);
     const V3 point_a = a.points[0] + s * d;
     return {lower, distance, normal, point_a, point_a + v};
 }

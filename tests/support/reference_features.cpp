@@ -54,40 +54,37 @@ Real3 nearest_on_edge(const Edge& e, const Real3& p)
     return e.from + s * u;
 }
 
-Nearest nearest_on_edges(const Edge& a, const Edge& b)
+/// Nearest points of two edges where neither is an end point, if there are such.
+std::optional<Nearest> nearest_inside_edges(const Edge& a, const Edge& b)
 {
-    Nearest best;
-    best.keep(a.from, nearest_on_edge(b, a.from));
-    best.keep(a.to, nearest_on_edge(b, a.to));
-    best.keep(nearest_on_edge(a, b.from), b.from);
-    best.keep(nearest_on_edge(a, b.to), b.to);
     const Real3 u = a.to - a.from;
     const Real3 v = b.to - b.from;
     const Real3 n = cross(u, v);
     const Real nn = dot(n, n);
-    if (!(nn > 0)) return best;
-    const Real3 w = b.from - a.from;
-    const Real s = dot(cross(w, v), n) / nn;
-    if (s < 0 || s > 1) return best;
+    if (!(nn > 0)) return std::nullopt;
+    const Real s = dot(cross(b.from - a.from, v), n) / nn;
+    if (s < 0 || s > 1) return std::nullopt;
     // Near-parallel edges: s carries noise, so the point of b is taken nearest to the point at s.
     const Real3 on_a = a.from + s * u;
+    Nearest best;
     best.keep(on_a, nearest_on_edge(b, on_a));
     return best;
 }
 
-/// The foot of p on the triangle's plane, where that lies inside.
+/// The foot of p on the triangle's plane, where that lies inside. It is a mean of the corners, so that it
+/// lies in the triangle however thin that is.
 std::optional<Real3> foot_on_triangle(const Placed& s, const Real3& p)
 {
-    const Real3& a = s.corners[0];
-    const Real3& b = s.corners[1];
-    const Real3& c = s.corners[2];
-    const Real3 n = cross(b - a, c - a);
+    const Real3 u = s.corners[1] - s.corners[0];
+    const Real3 v = s.corners[2] - s.corners[0];
+    const Real3 w = p - s.corners[0];
+    const Real3 n = cross(u, v);
     const Real nn = dot(n, n);
     if (!(nn > 0)) return std::nullopt;
-    const Real3 foot = p - (dot(p - a, n) / nn) * n;
-    const bool inside = dot(cross(b - a, foot - a), n) >= 0 && dot(cross(c - b, foot - b), n) >= 0 &&
-                        dot(cross(a - c, foot - c), n) >= 0;
-    return inside ? std::optional(foot) : std::nullopt;
+    const Real along_u = dot(cross(w, v), n) / nn;
+    const Real along_v = dot(cross(u, w), n) / nn;
+    if (along_u < 0 || along_v < 0 || along_u + along_v > 1) return std::nullopt;
+    return s.corners[0] + along_u * u + along_v * v;
 }
 
 Real3 in_box_frame(const Placed& box, const Real3& p) { return transposed_times(box.axes, p - box.centre); }
@@ -100,12 +97,17 @@ Real3 nearest_in_box(const Placed& box, const Real3& p)
     return box.centre + box.axes * near;
 }
 
-/// Nearest point of the shape's faces to p, where a face (not only its edges) can be nearest.
-std::optional<Real3> nearest_on_face(const Placed& s, const Real3& p)
+/// Nearest point of the core to p.
+Real3 nearest_in_core(const Placed& s, const Real3& p)
 {
-    if (s.kind == Kind::triangle) return foot_on_triangle(s, p);
+    if (s.kind == Kind::point) return s.corners[0];
+    if (s.kind == Kind::segment) return nearest_on_edge({s.corners[0], s.corners[1]}, p);
     if (s.kind == Kind::box) return nearest_in_box(s, p);
-    return std::nullopt;
+    Nearest best;
+    if (const auto foot = foot_on_triangle(s, p)) best.keep(p, *foot);
+    for (const Edge& e : edges(s).all())
+        best.keep(p, nearest_on_edge(e, p));
+    return best.on_b;
 }
 
 bool edge_meets_box(const Edge& e, const Placed& box)
@@ -191,18 +193,17 @@ Separation along_axis(const Placed& a, const Placed& b, const Real3& axis)
 
 Nearest nearest_features(const Placed& a, const Placed& b)
 {
+    Nearest best;
+    for (const Real3& p : corners(a))
+        best.keep(p, nearest_in_core(b, p));
+    for (const Real3& p : corners(b))
+        best.keep(nearest_in_core(a, p), p);
+    if (a.kind == Kind::point || b.kind == Kind::point) return best;
     const Edges edges_a = edges(a);
     const Edges edges_b = edges(b);
-    Nearest best;
     for (const Edge& ea : edges_a.all())
-        for (const Edge& eb : edges_b.all()) {
-            const Nearest near = nearest_on_edges(ea, eb);
-            best.keep(near.on_a, near.on_b);
-        }
-    for (const Real3& p : corners(a))
-        if (const auto near = nearest_on_face(b, p)) best.keep(p, *near);
-    for (const Real3& p : corners(b))
-        if (const auto near = nearest_on_face(a, p)) best.keep(*near, p);
+        for (const Edge& eb : edges_b.all())
+            if (const auto near = nearest_inside_edges(ea, eb)) best.keep(near->on_a, near->on_b);
     return best;
 }
 

@@ -125,8 +125,9 @@ Gap gap(const Placed& a, const Placed& b)
     if (a.unbounded()) return flipped(gap_above(b, a));
     const Real radii = a.radius + b.radius;
     if (cores_meet(a, b)) {
+        // Thin triangles may seem pierced by rounding; an axis that separates is proof that they are not.
         const Separation depth = separating_axes(a, b);
-        return {std::min<Real>(depth.along, 0) - radii, depth.normal, {}, {}, false};
+        if (depth.along <= 0) return {depth.along - radii, depth.normal, {}, {}, false};
     }
     const Nearest near = nearest_features(a, b);
     const Real3 n = direction(near.on_b - near.on_a);

@@ -100,21 +100,37 @@ Findings judge_start(Trial& trial)
     return {};
 }
 
+/// How far the core reaches along n, from `origin`.
+std::array<Real, 2> extent(const Placed& s, const Real3& n, const Real3& origin)
+{
+    Real low = std::numeric_limits<Real>::infinity();
+    Real high = -low;
+    for (std::size_t i = 0; i < s.corner_count; ++i) {
+        low = std::min(low, dot(n, s.corners[i] - origin));
+        high = std::max(high, dot(n, s.corners[i] - origin));
+    }
+    return {low, high};
+}
+
+/// A body's height above the ground along `up`, which must be the ground's normal or, for a plane, its
+/// opposite.
+Real height(const Placed& body, const Placed& ground, const Real3& up)
+{
+    const auto [low, high] = extent(body, ground.normal, ground.offset * ground.normal);
+    constexpr Real parallel = 1e-6L;
+    if (norm(up - ground.normal) < parallel) return low - body.radius;
+    const bool under = ground.kind == Placed::Kind::plane && norm(up + ground.normal) < parallel;
+    return under ? -high - body.radius : -std::numeric_limits<Real>::infinity();
+}
+
 /// Separation of the shapes along a direction, to hold a normal to.
 Real separation(const Placed& a, const Placed& b, const Real3& n)
 {
-    if (b.unbounded() || a.unbounded()) {
-        const Placed& ground = a.unbounded() ? a : b;
-        const Real3 out = norm(n - ground.normal) < norm(n + ground.normal) ? ground.normal : -ground.normal;
-        return norm(n - out) < 1e-6L ? gap(a, b).gap : -std::numeric_limits<Real>::infinity();
-    }
-    Real low = std::numeric_limits<Real>::infinity();
-    Real high = -low;
-    for (std::size_t i = 0; i < b.corner_count; ++i)
-        low = std::min(low, dot(n, b.corners[i] - a.corners[0]));
-    for (std::size_t i = 0; i < a.corner_count; ++i)
-        high = std::max(high, dot(n, a.corners[i] - a.corners[0]));
-    return low - high - a.radius - b.radius;
+    if (b.unbounded()) return height(a, b, -n);
+    if (a.unbounded()) return height(b, a, n);
+    const auto [low_a, high_a] = extent(a, n, a.corners[0]);
+    const auto [low_b, high_b] = extent(b, n, a.corners[0]);
+    return low_b - high_a - a.radius - b.radius;
 }
 
 /// Gap, normal and points at t.

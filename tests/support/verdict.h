@@ -11,8 +11,9 @@ namespace brink::support {
 
 /// One way in which an answer breaks a promise of the design.
 struct Finding {
-    std::string check;  // which promise: "late", "missed a hit", "swap", ...
-    std::string detail; // the figures
+    std::string check;            // which promise: "late", "missed a hit", "swap", ...
+    std::string detail;           // the figures
+    std::optional<Query> asked{}; // where another question than the trial's was answered wrong
 };
 using Findings = std::vector<Finding>;
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "advance.h"
+#include "support/moving.h"
+#include "support/random.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace brink;
+using support::moving;
+using support::resting;
+
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+const Box cube{Vec3(1, 1, 1)};
+const HalfSpace ground{Vec3(0, 0, 1), 0};
+
+Motion turning(const Vec3& position, const Vec3& rotation)
+{
+    return {.start = {position, Quat(1, 0, 0, 0)}, .rotation = rotation};
+}
+
+} // namespace
+
+TEST_CASE("advancement: two cubes face to face, t is gap over speed")
+{
+    const Toi toi = time_of_impact(cube, moving(Vec3(6, 0.5, 0.25), Vec3(-8, 0, 0)), cube, resting());
+    CHECK(toi.status == Status::hit);
+    CHECK(toi.t == doctest::Approx(0.5).epsilon(1e-9));
+    CHECK(toi.t <= 0.5);
+    CHECK(toi.gap >= 0);
+    CHECK(toi.gap <= 1e-9);
+    CHECK(toi.normal.x() == -1);
+}
+
+TEST_CASE("advancement: a cube tips onto its edge")
+{
+    // Its centre 1.2 above the ground, turning about y: the edge comes down to sqrt(2) sin(45 deg + angle)
+    // = 1.2.
+    const double angle = std::asin(1.2 / std::sqrt(2.0)) - pi / 4;
+    const Toi toi = time_of_impact(cube, turning(Vec3(0, 0, 1.2), Vec3(0, 1, 0)), ground, resting());
+    CHECK(toi.status == Status::hit);
+    CHECK(toi.t <= angle);
+    CHECK(toi.t == doctest::Approx(angle).epsilon(1e-8));
+}
+
+TEST_CASE("advancement: many turns are followed, not wrapped")
+{
+    // A rod swings ten times round in the step and meets a pin in the first quarter of the first turn.
+    const Capsule rod{Vec3(0, 0, 0), Vec3(3, 0, 0), 0.1};
+    const Motion swing = turning(Vec3(0, 0, 0), Vec3(0, 0, 20 * pi));
+    const Toi toi = time_of_impact(rod, swing, Sphere{0.1}, resting(Vec3(0, 2, 0)));
+    const double contact = (pi / 2 - std::asin(0.2 / 2)) / (20 * pi);
+    CHECK(toi.status == Status::hit);
+    CHECK(toi.t <= contact);
+    CHECK(toi.t == doctest::Approx(contact).epsilon(1e-8));
+}
+
+TEST_CASE("advancement: turning half-spaces and planes sweep what they meet")
+{
+    // The half-space turns about x through a point 2 below the ball: its surface rises towards +y.
+    const Motion tilt = turning(Vec3(0, 0, 0), Vec3(pi / 2, 0, 0));
+    const Toi toi = time_of_impact(Sphere{0.5}, resting(Vec3(0, 4, 2)), ground, tilt);
+    // The ball's centre is 0.5 from a plane through the origin at angle atan2(2, 4) - asin(0.5 / sqrt(20)).
+    const double contact = (std::atan2(2.0, 4.0) - std::asin(0.5 / std::sqrt(20.0))) / (pi / 2);
+    CHECK(toi.status == Status::hit);
+    CHECK(toi.t <= contact);
+    CHECK(toi.t == doctest::Approx(contact).epsilon(1e-8));
+}
+
+TEST_CASE("advancement: a spent budget is undecided, apart before t, and not a miss")
+{
+    const Toi toi = time_of_impact(cube, turning(Vec3(0, 0, 1.2), Vec3(0, 1, 0)), ground, resting(),
+                                   {.max_iterations = 1});
+    CHECK(toi.status == Status::undecided);
+    CHECK(toi.iterations == 1);
+    CHECK(toi.t < 0.2);
+    CHECK(toi.t_upper == infinity);
+}
+
+TEST_CASE("advancement: contact at the start, reported or left behind")
+{
+    const Motion up = moving(Vec3(0, 0, 0.5), Vec3(0, 0, 4)), down = moving(Vec3(0, 0, 0.5), Vec3(0, 0, -4));
+    const Options look_on{.start_contact = StartContact::ignore_if_separating},
+        blind{.start_contact = StartContact::ignore};
+    const Toi touching = time_of_impact(cube, up, ground, resting());
+    CHECK(touching.status == Status::touching);
+    CHECK(touching.gap == -0.5);
+    CHECK(touching.t_upper == 0);
+    CHECK(time_of_impact(cube, up, ground, resting(), look_on).status == Status::separated);
+    CHECK(time_of_impact(cube, down, ground, resting(), look_on).status == Status::touching);
+    CHECK(time_of_impact(cube, down, ground, resting(), blind).status == Status::separated);
+}
+
+TEST_CASE("advancement: leaves the ground by one edge and comes back with the next")
+{
+    // A cube on the ground rises by 0.3 while it turns by a quarter: the corner it turns down meets the
+    // ground.
+    Motion roll = turning(Vec3(0, 0, 1), Vec3(0, pi / 2, 0));
+    roll.translation = Vec3(0, 0, 0.9);
+    const Options look_on{.start_contact = StartContact::ignore_if_separating};
+    const auto height = [](double t) { return 1 + 0.9 * t - std::sqrt(2.0) * std::sin(pi / 4 + t * pi / 2); };
+    CHECK(height(0.01) < 0); // the edge goes down faster than the cube rises: not separating
+    CHECK(time_of_impact(cube, roll, ground, resting(), look_on).status == Status::touching);
+    roll.translation = Vec3(0, 0, 2);
+    const Toi toi = time_of_impact(cube, roll, ground, resting(), look_on);
+    CHECK(toi.status == Status::separated); // 1 + 2 t outruns the edge throughout
+}
+
+TEST_CASE("advancement: a body left where brink put it does not stick")
+{
+    const Motion fall = turning(Vec3(0, 0, 1.2), Vec3(0, 1, 0));
+    const Toi first = time_of_impact(cube, fall, ground, resting());
+    REQUIRE(first.status == Status::hit);
+    Motion away = Motion::still(fall.at(first.t));
+    away.translation = Vec3(0, 0, 1);
+    CHECK(time_of_impact(cube, away, ground, resting()).status == Status::separated);
+    away.rotation = Vec3(0, 0.1, 0);
+    CHECK(time_of_impact(cube, away, ground, resting()).status == Status::separated);
+    away.translation = Vec3(0, 0, -1);
+    const Toi again = time_of_impact(cube, away, ground, resting());
+    CHECK(again.status == Status::hit);
+    CHECK(again.t < 2e-9);
+}
+
+TEST_CASE("advancement holds the closed forms, and they hold it")
+{
+    support::Random random(13);
+    int hits = 0;
+    const Options tight{.tolerance = 1e-12};
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3 a0 = random.in_cube(1), a1 = random.in_cube(1), b0 = random.in_cube(1),
+                   b1 = random.in_cube(1);
+        const double ra = random.between(0, 0.5), rb = random.between(0, 0.5);
+        const Capsule a{a0, a1, ra}, b{b0, b1, rb};
+        const Vec3 from = random.in_cube(4), aim = random.in_cube(1.5), drift = random.in_cube(2);
+        const Vec3 by = drift + 1.5 * (aim - from);
+        const Motion motion_a = moving(from, by), motion_b = moving(Vec3(0, 0, 0), drift);
+        const Toi exact = time_of_impact(a, motion_a, b, motion_b);
+        const Toi solved = certified_advancement(mover(a, motion_a), mover(b, motion_b), tight, Start::open);
+        CAPTURE(i);
+        if (solved.status == Status::undecided) continue;
+        CHECK(exact.status == solved.status);
+        if (exact.status != Status::hit || solved.status != Status::hit) continue;
+        const Vec3 closing = by - drift;
+        const double speed = -(closing.dot(-exact.normal));
+        if (speed < 1e-3 * closing.norm()) continue;
+        CHECK(std::fabs(exact.t - solved.t) <= 4e-12 / speed);
+        CHECK(solved.t <= exact.t + 1e-14);
+        ++hits;
+    }
+    CHECK(hits > 3'000);
+}
