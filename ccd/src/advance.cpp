@@ -115,11 +115,12 @@ Advance<Part>::Advance(const Mover<Core>& a, const Mover<Part>& b, const Options
 {
     const double distance = norm(b.position - a.position), travel = norm(velocity_);
     const double swing = std::is_same_v<Part, Border> ? norm(from_) + travel + a.reach : b.reach;
-    slack_ = tolerance::certificate_slack *
-             (distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + options.target_gap);
-    tolerance_ = std::max(options.tolerance, 2 * slack_);
+    const double lengths =
+        distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + options.target_gap;
+    tolerance_ = std::max(options.tolerance, 2 * tolerance::least_slack * lengths);
+    slack_ = std::min(tolerance::certificate_slack * lengths, 0.5 * tolerance_);
     fastest_ = travel + a.turn.angle * a.reach + b.turn.angle * swing;
-    window_ = meeting(a, b, from_, velocity_, options.target_gap);
+    window_ = meeting(a, b, from_, velocity_, options.target_gap + slack_);
 }
 
 template <class Part> typename Advance<Part>::Pose Advance<Part>::pose()
