@@ -14,7 +14,8 @@
 /// displacement of A over the step be D with n . D < 0, and the moment of contact be t*. At t* they touch.
 /// At any t before it A stands at its touching pose moved by (t - t*) D, hence by (t* - t)(-n . D) > 0 beyond
 /// the plane: they are apart. So t* is the first contact, whatever the rest of the shapes. After t* the point
-/// of A that was at P moves into B's interior, so the contact is no graze.
+/// of A that was at P moves into B's interior, so the contact is no graze. Rounding moves t* by less than
+/// 1e-11: a few units in the last place of 15 m, at no less than 0.5 mm a step towards each other.
 namespace brink::bench {
 
 struct Crossing {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair_bench.h"
+#include "pair_sample.h"
 #include "pairs.h"
 #include "tunnelling.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -20,6 +22,7 @@ struct Arguments {
     TunnellingOptions tunnelling;
     CLI::App* tunnelling_part = nullptr;
     CLI::App* pairs_part = nullptr;
+    std::vector<std::string> pairs{"all"};
     bool rows = false; // only print this build's rows
 };
 
@@ -39,6 +42,12 @@ void describe(CLI::App& app, Arguments& arguments)
         ->capture_default_str();
     arguments.tunnelling_part->add_option("--seed", arguments.tunnelling.seed, "of the random crossings")
         ->capture_default_str();
+    std::vector<std::string> names = pair_names();
+    names.emplace_back("all");
+    arguments.pairs_part->add_option("--pairs", arguments.pairs, "which, separated by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(names))
+        ->capture_default_str();
     arguments.pairs_part->add_flag(
         "--rows", arguments.rows,
         "only print this build's rows, as CSV on stdout (how brink-bench asks brink-bench-v3)");
@@ -54,13 +63,15 @@ int explain(const CLI::App& app, std::string_view wrong)
 
 int run(const Arguments& arguments, const std::filesystem::path& program)
 {
+    const auto all = std::find(arguments.pairs.begin(), arguments.pairs.end(), "all");
+    const std::vector<std::string> names = all == arguments.pairs.end() ? arguments.pairs : pair_names();
     if (arguments.rows) {
-        fmt::print("{}", timings_csv(measure_pairs(Rivals::none)));
+        fmt::print("{}", timings_csv(measure_pairs(Rivals::none, names)));
         return 0;
     }
     const Output output(arguments.out);
     if (arguments.tunnelling_part->parsed()) return run_tunnelling(output, arguments.tunnelling) == 0 ? 0 : 1;
-    run_pairs(output, program.parent_path() / "brink-bench-v3");
+    run_pairs(output, names, program.parent_path() / "brink-bench-v3");
     return 0;
 }
 

@@ -5,6 +5,8 @@
 #include "output.h"
 #include "pair_sample.h"
 
+#include <algorithm>
+#include <array>
 #include <benchmark/benchmark.h>
 #include <fcl.h>
 #include <fmt/format.h>
@@ -94,12 +96,15 @@ private:
 /// Everything to be measured, and what it is measured on.
 class Bench {
 public:
-    explicit Bench(Rivals rivals) : rivals_(rivals)
+    Bench(Rivals rivals, const std::vector<std::string>& names) : rivals_(rivals)
     {
+        const auto named = [&](const PairKind& kind) {
+            return std::find(names.begin(), names.end(), kind.name) != names.end();
+        };
         for (const PairKind& kind : closed_pairs())
-            add_closed(kind);
+            if (named(kind)) add_closed(kind);
         for (const PairKind& kind : rotating_pairs())
-            add_rotating(kind);
+            if (named(kind)) add_rotating(kind);
     }
 
     std::vector<Timing> run()
@@ -184,7 +189,10 @@ private:
 
 } // namespace
 
-std::vector<Timing> measure_pairs(Rivals rivals) { return Bench(rivals).run(); }
+std::vector<Timing> measure_pairs(Rivals rivals, const std::vector<std::string>& names)
+{
+    return Bench(rivals, names).run();
+}
 
 std::string timings_csv(const std::vector<Timing>& timings)
 {

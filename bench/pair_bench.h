@@ -20,9 +20,9 @@ struct Timing {
 
 enum class Rivals : unsigned char { none, fcl };
 
-/// Measures this program's build of brink on every pair and sample, and FCL beside it if asked, their
-/// repetitions interleaved at random so that both see the same machine.
-std::vector<Timing> measure_pairs(Rivals);
+/// Measures this program's build of brink on every sample of the pairs named (pair_names), and FCL beside it
+/// if asked, their repetitions interleaved at random so that both see the same machine.
+std::vector<Timing> measure_pairs(Rivals, const std::vector<std::string>& names);
 
 std::string timings_csv(const std::vector<Timing>&);
 /// The inverse of timings_csv; lines that are none are left out.

@@ -65,7 +65,8 @@ constexpr std::array rotating{
     PairKind{"box-box", draw_box, draw_box},
 };
 
-/// Starts some 1.7 m behind the middle and for the most part moves ahead across it: one in five goes anywhere.
+/// Starts some 1.7 m behind the middle and for the most part moves ahead across it: one in five goes
+/// anywhere.
 Motion draw_motion(Random& random, const Vec3& ahead, Turning turning)
 {
     Motion motion;
@@ -127,6 +128,17 @@ std::vector<Pair> all_pairs(Random& random)
 std::span<const PairKind> closed_pairs() { return closed; }
 
 std::span<const PairKind> rotating_pairs() { return rotating; }
+
+std::vector<std::string> pair_names()
+{
+    std::vector<std::string> names;
+    for (const auto kinds : {closed_pairs(), rotating_pairs()}) {
+        for (const PairKind& kind : kinds)
+            if (std::find(names.begin(), names.end(), kind.name) == names.end())
+                names.emplace_back(kind.name);
+    }
+    return names;
+}
 
 Sample draw_sample(const PairKind& kind, Turning turning, std::size_t pairs)
 {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct PairKind {
 std::span<const PairKind> closed_pairs();
 /// Pairs that go to advancement where something rotates.
 std::span<const PairKind> rotating_pairs();
+/// The names of both, each once.
+std::vector<std::string> pair_names();
 
 enum class Turning : unsigned char { none, to_60_degrees };
 

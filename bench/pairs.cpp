@@ -14,9 +14,10 @@ namespace brink::bench {
 namespace {
 
 /// What `sibling pairs --rows` prints; empty where it fails.
-std::vector<Timing> ask_sibling(const std::filesystem::path& sibling)
+std::vector<Timing> ask_sibling(const std::vector<std::string>& names, const std::filesystem::path& sibling)
 {
-    const std::string command = shell_quoted(sibling.string()) + " pairs --rows";
+    const std::string command =
+        fmt::format("{} pairs --rows --pairs {}", shell_quoted(sibling.string()), fmt::join(names, ","));
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
     if (!pipe) return {};
     std::string text;
@@ -27,25 +28,30 @@ std::vector<Timing> ask_sibling(const std::filesystem::path& sibling)
 }
 
 /// Why there are no figures of the wider build; empty if there are.
-std::string add_wider_build(std::vector<Timing>& timings, const std::filesystem::path& sibling)
+std::string add_wider_build(std::vector<Timing>& timings, const std::vector<std::string>& names,
+                            const std::filesystem::path& sibling)
 {
     if (!runs_v3()) return "this processor does not run x86-64-v3";
     if (!std::filesystem::exists(sibling)) return fmt::format("there is no {}", sibling.filename().string());
-    const std::vector<Timing> wider = ask_sibling(sibling);
+    const std::vector<Timing> wider = ask_sibling(names, sibling);
     timings.insert(timings.end(), wider.begin(), wider.end());
     return wider.empty() ? fmt::format("{} failed", sibling.filename().string()) : "";
 }
 
 } // namespace
 
-void run_pairs(const Output& output, const std::filesystem::path& sibling)
+void run_pairs(const Output& output, const std::vector<std::string>& names,
+               const std::filesystem::path& sibling)
 {
-    std::vector<Timing> timings = measure_pairs(Rivals::fcl);
-    const std::string missing = add_wider_build(timings, sibling);
+    std::vector<Timing> timings = measure_pairs(Rivals::fcl, names);
+    const std::string missing = add_wider_build(timings, names, sibling);
     output.write("pairs.csv", timings_csv(timings));
-    fmt::print("{}\n\n{}\n", machine(), pairs_table(timings));
-    if (!missing.empty()) fmt::print("No figures of the x86-64-v3 build: {}.\n\n", missing);
-    fmt::print("{}\n{}\n", rotating_table(timings), output.draw("pairs", pairs_plot(timings)));
+    fmt::print("{}\n", machine());
+    for (const std::string& table : {pairs_table(timings), rotating_table(timings)})
+        if (!table.empty()) fmt::print("\n{}", table);
+    if (!missing.empty()) fmt::print("\nNo figures of the x86-64-v3 build: {}.\n", missing);
+    const std::string plot = pairs_plot(timings);
+    fmt::print("\n{}", plot.empty() ? "" : output.draw("pairs", plot) + "\n");
     fmt::print("Figures: {}\n", output.path_of("pairs.csv"));
 }
 

@@ -20,6 +20,11 @@ std::optional<double> find(const std::vector<Timing>& timings, std::string_view 
     return found->ns;
 }
 
+auto first_of(const std::vector<Timing>& timings, std::string_view what)
+{
+    return std::find_if(timings.begin(), timings.end(), [&](const Timing& t) { return t.what == what; });
+}
+
 std::string cell(std::optional<double> ns)
 {
     return ns ? fmt::format("{:.{}f}", *ns, *ns < 100 ? 1 : 0) : "-";
@@ -84,6 +89,8 @@ do for [format in 'svg png'] {
 
 std::string pairs_table(const std::vector<Timing>& timings)
 {
+    const auto first = first_of(timings, "mixed");
+    if (first == timings.end()) return "";
     std::string text =
         "One query through time_of_impact, ns: mean processor time, contact detail unless time_only.\n";
     text += fmt::format("{:<19} | {:^31} | {:^31} | {:^25}\n", "closed forms,", "brink, baseline x86-64",
@@ -96,6 +103,7 @@ std::string pairs_table(const std::vector<Timing>& timings)
         const auto get = [&](std::string_view who, std::string_view what) {
             return find(timings, kind.name, who, what);
         };
+        if (!get("baseline", "mixed")) continue;
         text += fmt::format("{:<19} |", kind.name);
         for (const char* build : {"baseline", "x86-64-v3"})
             text += fmt::format(" {:>6} {:>6} {:>6} {:>10} |", cell(get(build, "mixed")),
@@ -105,31 +113,35 @@ std::string pairs_table(const std::vector<Timing>& timings)
         text += fmt::format(" {:>6} {:>9} {:>8}\n", cell(fcl), ratio(fcl, get("baseline", "mixed")),
                             ratio(fcl, get("x86-64-v3", "mixed")));
     }
-    const Timing& first = timings.front();
     return text +
            fmt::format(
                "{} distinct pairs of 2,048 bodies, {} repetitions (FCL: 4,096 pairs); mixed: half hit. "
                "Largest deviation between repetitions {:.0f} %.\n"
                "-: FCL has no conservative advancement for this pair.\n",
-               first.queries, first.repetitions, worst_deviation(timings));
+               first->queries, first->repetitions, worst_deviation(timings));
 }
 
 std::string rotating_table(const std::vector<Timing>& timings)
 {
+    if (first_of(timings, "rotating") == timings.end()) return "";
     std::string text = "Advancement (first order for now), rotation up to 60 degrees, ns, half hit\n";
     text += fmt::format("{:<19} | {:>9} | {:>9} | {:>9}\n", "", "baseline", "v3", "FCL");
-    for (const PairKind& kind : rotating_pairs())
+    for (const PairKind& kind : rotating_pairs()) {
+        if (!find(timings, kind.name, "baseline", "rotating")) continue;
         text += fmt::format("{:<19} | {:>9} | {:>9} | {:>9}\n", kind.name,
                             cell(find(timings, kind.name, "baseline", "rotating")),
                             cell(find(timings, kind.name, "x86-64-v3", "rotating")),
                             cell(find(timings, kind.name, "FCL", "rotating")));
+    }
     return text;
 }
 
 std::string pairs_plot(const std::vector<Timing>& timings)
 {
+    if (first_of(timings, "mixed") == timings.end()) return "";
     std::string text = "# Draws ns per query: gnuplot pairs.gp\n$times << END\n";
     for (const PairKind& kind : closed_pairs()) {
+        if (!find(timings, kind.name, "baseline", "mixed")) continue;
         std::string label(kind.name);
         label.replace(label.find('-'), 1, "\\n");
         std::replace(label.begin(), label.end(), '_', '-');

@@ -8,7 +8,8 @@
 
 namespace brink::bench {
 
-/// Closed-form pairs: both builds, each sample, FCL and how many times longer it takes.
+/// Closed-form pairs: both builds, each sample, FCL and how many times longer it takes. All three are empty
+/// where no pair of theirs was measured.
 std::string pairs_table(const std::vector<Timing>&);
 /// Pairs that rotate, which advancement decides.
 std::string rotating_table(const std::vector<Timing>&);

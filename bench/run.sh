@@ -8,7 +8,6 @@ cd "$(dirname "$0")/.."
 install_missing $brink_packages
 cmake -S . -B build -G Ninja
 cmake --build build --target brink-bench brink-bench-v3
-mkdir -p out
 build/bench/brink-bench tunnelling
 build/bench/brink-bench pairs
 

@@ -84,14 +84,14 @@ class Queue {
 public:
     explicit Queue(const Plan& plan) : plan_(plan), tallies_(plan.pairs.size()) {}
 
-    void work_until_done(const Progress& progress)
+    void work_until_done()
     {
         Witnesses witnesses;
         for (;;) {
             const std::uint64_t job = next_job_.fetch_add(1);
             const std::uint64_t pair = job % plan_.pairs.size();
             const std::uint64_t begin = job / plan_.pairs.size() * block_size;
-            if (progress.stopped() || begin >= plan_.cases) {
+            if (Progress::stopped() || begin >= plan_.cases) {
                 const std::scoped_lock lock(mutex_);
                 first_undone_ = std::min(first_undone_, std::min(begin, plan_.cases));
                 return;
@@ -129,9 +129,10 @@ Outcome run(const Plan& plan)
     Progress progress(plan.cases * plan.pairs.size());
     std::atomic<int> working = plan.threads;
     std::vector<std::thread> threads;
+    threads.reserve(static_cast<std::size_t>(plan.threads));
     for (int i = 0; i < plan.threads; ++i)
         threads.emplace_back([&] {
-            queue.work_until_done(progress);
+            queue.work_until_done();
             --working;
         });
     while (working > 0) {
@@ -141,7 +142,7 @@ Outcome run(const Plan& plan)
     for (std::thread& thread : threads)
         thread.join();
     progress.finish(queue.done(), queue.findings());
-    return queue.outcome(progress.stopped());
+    return queue.outcome(Progress::stopped());
 }
 
 std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)

@@ -14,6 +14,7 @@ using brink::support::pair_named;
 
 constexpr int disagreed = 1;
 constexpr int misused = 2;
+constexpr int failed = 3; // no process, no memory
 
 std::string known_pairs()
 {
@@ -47,7 +48,7 @@ struct Arguments {
     std::uint64_t index = 0;
 };
 
-CLI::App* add_run(CLI::App& app, Arguments& arguments)
+const CLI::App* add_run(CLI::App& app, Arguments& arguments)
 {
     Plan& plan = arguments.plan;
     CLI::App* run = app.add_subcommand("run", "Put brink on trial over many cases");
@@ -73,7 +74,7 @@ CLI::App* add_run(CLI::App& app, Arguments& arguments)
     return run;
 }
 
-CLI::App* add_show(CLI::App& app, Arguments& arguments)
+const CLI::App* add_show(CLI::App& app, Arguments& arguments)
 {
     CLI::App* show = app.add_subcommand("show", "Print one case as C++, with what every judge says");
     show->add_option("--pair", arguments.pair, "pair of shapes")
@@ -106,26 +107,36 @@ int run_campaign(Arguments& arguments)
     return findings > 0 ? disagreed : 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int dispatch(int argc, char** argv)
 {
     CLI::App app{"brink-fuzz: brink's time of impact against a dense reference, FCL and libccd"};
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
     Arguments arguments;
     const CLI::App* run = add_run(app, arguments);
-    add_show(app, arguments);
+    const CLI::App* show_one = add_show(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         const bool asked_for_help = error.get_exit_code() == 0;
         if (asked_for_help) return app.exit(error);
         std::cerr << "brink-fuzz: " << error.what() << "\n\n" << app.help();
-        for (const CLI::App* sub : app.get_subcommands())
-            std::cerr << '\n' << sub->help();
         return misused;
     }
     if (run->parsed()) return run_campaign(arguments);
+    if (!show_one->parsed()) {
+        std::cerr << "brink-fuzz: no command given\n\n" << app.help();
+        return misused;
+    }
     fmt::print("{}", show(*pair_named(arguments.pair), arguments.plan.seed, arguments.index));
     return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+    return dispatch(argc, argv);
+} catch (const std::exception& error) {
+    std::cerr << "brink-fuzz: " << error.what() << '\n';
+    return failed;
 }

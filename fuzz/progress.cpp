@@ -28,7 +28,7 @@ Progress::Progress(std::uint64_t total) : total_(total), terminal_(isatty(STDERR
 
 Progress::~Progress() { std::signal(SIGINT, SIG_DFL); }
 
-bool Progress::stopped() const { return interrupted != 0; }
+bool Progress::stopped() { return interrupted != 0; }
 
 void Progress::print(std::uint64_t done, std::uint64_t findings)
 {

@@ -15,7 +15,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    bool stopped() const;
+    static bool stopped();
     void tell(std::uint64_t done, std::uint64_t findings);
     void finish(std::uint64_t done, std::uint64_t findings);
 

@@ -21,44 +21,47 @@ for header in ccd/*.h; do breach "$header" "<ccd/...> is libccd's: no header lie
 # Every file.
 while read -r file; do
     checked=$((checked + 1))
-    head -n 2 "$file" | grep -q 'SPDX-License-Identifier: BSD-3-Clause' || breach "$file" "no SPDX line"
-    lines=$(wc -l < "$file")
-    [ "$lines" -le 300 ] || breach "$file" "$lines lines, more than 300"
-done < <(find shapes ccd tests fuzz bench CMakeLists.txt .ci -type f \
+    mapfile -t lines < "$file"
+    [[ ${lines[*]:0:2} = *"SPDX-License-Identifier: BSD-3-Clause"* ]] || breach "$file" "no SPDX line"
+    [ ${#lines[@]} -le 300 ] || breach "$file" "${#lines[@]} lines, more than 300"
+done < <(find shapes ccd tests fuzz bench CMakeLists.txt .ci/run -type f \
     \( -name '*.h' -o -name '*.cpp' -o -name '*.sh' -o -name '*.cmake*' -o -name CMakeLists.txt -o -path .ci/run \))
 
 # Every include. A layer reaches the folders after its name; what is ours and lies elsewhere is an arrow the other way.
 ours="shapes/include shapes/src ccd/include ccd/src tests/support tests tests/consumer fuzz bench"
-reach() {
+reach() { # <file>: sets `reach`
     case $1 in
-        shapes/include/*) echo "shapes/include" ;;
-        shapes/src/*) echo "shapes/include shapes/src" ;;
-        ccd/include/*) echo "shapes/include ccd/include" ;;
-        ccd/src/*) echo "shapes/include shapes/src ccd/include ccd/src" ;;
-        tests/support/*) echo "shapes/include ccd/include tests/support" ;;
-        tests/consumer/*) echo "shapes/include ccd/include tests/consumer" ;;
-        tests/*) echo "shapes/include shapes/src ccd/include ccd/src tests/support tests" ;;
-        fuzz/*) echo "shapes/include ccd/include tests/support fuzz" ;;
-        bench/*) echo "shapes/include ccd/include tests/support bench" ;;
+        shapes/include/*) reach="shapes/include" ;;
+        shapes/src/*) reach="shapes/include shapes/src" ;;
+        ccd/include/*) reach="shapes/include ccd/include" ;;
+        ccd/src/*) reach="shapes/include shapes/src ccd/include ccd/src" ;;
+        tests/support/*) reach="shapes/include ccd/include tests/support" ;;
+        tests/consumer/*) reach="shapes/include ccd/include tests/consumer" ;;
+        tests/*) reach="shapes/include shapes/src ccd/include ccd/src tests/support tests" ;;
+        fuzz/*) reach="shapes/include ccd/include tests/support fuzz" ;;
+        bench/*) reach="shapes/include ccd/include tests/support bench" ;;
     esac
 }
-found_in() { # <header> <folder>...: the folders that have it
+find_in() { # <header> <folder>...: sets `found`, the folders that have it
     local header=$1 folder
     shift
-    for folder; do [ ! -e "$folder/$header" ] || echo "$folder"; done
+    found=()
+    for folder; do [ ! -e "$folder/$header" ] || found+=("$folder"); done
 }
-while IFS=: read -r file include; do
+while IFS=: read -r file mark header; do
     checked=$((checked + 1))
-    header=$(sed -E 's/.*[<"]([^>"]*)[>"].*/\1/' <<< "$include")
-    if [[ $include != *\"* || ! -e ${file%/*}/$header ]]; then
-        reached=($(found_in "$header" $(reach "$file")))
-        elsewhere=$(found_in "$header" $ours)
-        if [ ${#reached[@]} -gt 1 ]; then
-            breach "$file" "includes $header, which may be that of ${reached[*]}"
-        elif [ ${#reached[@]} -eq 0 ] && [ -n "$elsewhere" ]; then
-            breach "$file" "includes $header of $elsewhere: the arrow runs the other way"
-        elif [[ ${#reached[@]} -eq 0 && $include == *\"* ]]; then
-            breach "$file" "includes \"$header\", which is not there"
+    if [[ $mark = "<" || ! -e ${file%/*}/$header ]]; then
+        reach "$file"
+        find_in "$header" $reach
+        if [ ${#found[@]} -gt 1 ]; then
+            breach "$file" "includes $header, which may be that of ${found[*]}"
+        elif [ ${#found[@]} -eq 0 ]; then
+            find_in "$header" $ours
+            if [ ${#found[@]} -gt 0 ]; then
+                breach "$file" "includes $header of ${found[*]}: the arrow runs the other way"
+            elif [ "$mark" = '"' ]; then
+                breach "$file" "includes \"$header\", which is not there"
+            fi
         fi
     fi
     case $file:$header in
@@ -70,7 +73,8 @@ while IFS=: read -r file include; do
         ccd/*scene* | ccd/include/brink/ccd.h) ;;
         ccd/*) [[ $header != *scene* && $header != brink/ccd.h ]] || breach "$file" "includes $header: knows scene" ;;
     esac
-done < <(grep -rnE --include='*.h' --include='*.cpp' '^ *# *include' shapes ccd tests fuzz bench | sed -E 's/:[0-9]+:/:/')
+done < <(grep -rE --include='*.h' --include='*.cpp' '^ *# *include *[<"]' shapes ccd tests fuzz bench |
+    sed -E 's/^([^:]*):[^<"]*([<"])([^>"]*).*/\1:\2:\3/')
 
 # The checkout itself on an include path would make FCL's <ccd/ccd.h> ours.
 if [ -e "$build/compile_commands.json" ] &&

@@ -90,7 +90,8 @@ private:
     Toi translate_away() const;
     std::optional<Toi> leave();
     Toi approach();
-    std::optional<Toi> move(double step);
+    std::optional<Toi> move(double step, double t_end);
+    double step_away() const;
 
     const Mover<Core>& a_;
     const Mover<Part>& b_;
@@ -153,10 +154,10 @@ template <class Part> Toi Advance<Part>::answer(Status status) const
     return toi;
 }
 
-/// Goes on by `step`, unless that leaves the time asked about or the budget is spent.
-template <class Part> std::optional<Toi> Advance<Part>::move(double step)
+/// Goes on by `step`, unless that passes `t_end` or the budget is spent.
+template <class Part> std::optional<Toi> Advance<Part>::move(double step, double t_end)
 {
-    if (t_ + step > options_.t_max || t_ + step >= window_.end) return separated();
+    if (t_ + step > t_end || t_ + step >= window_.end) return separated();
     if (iterations_ >= options_.max_iterations) return answer(Status::undecided);
     t_ += step;
     now_ = pose();
@@ -170,27 +171,39 @@ template <class Part> Toi Advance<Part>::translate_away() const
     return options_.start_contact == StartContact::ignore || parting ? separated() : answer(Status::touching);
 }
 
+/// A step from a pose within the tolerance of contact, over which the gap provably does not fall: 0 if none
+/// is proven that could be told from standing still. From deeper down it also ends before the gap can reach
+/// the target, lest it pass over a time of separation and the contact after it.
+template <class Part> double Advance<Part>::step_away() const
+{
+    const double least = tolerance_ / fastest_, deepest = -now_.gap / fastest_;
+    const double rising = rising_step(facing(), window_.end - t_);
+    if (!(rising >= least)) return 0;
+    return now_.gap < -tolerance_ ? std::min(rising, deepest) : rising;
+}
+
 /// From a start in contact, or within the tolerance of it, to where the gap exceeds the tolerance: by steps
-/// over which the gap provably does not fall, or else (`ignore` only) cannot rise above the target. Returns
-/// an answer where that ends the query.
+/// over which it does not fall, or else (`ignore` only) cannot exceed the target by more than the tolerance.
+/// Returns an answer where that ends the query. It does not look at t_max, on which `touching` must not
+/// depend.
 template <class Part> std::optional<Toi> Advance<Part>::leave()
 {
     const Advance start = *this;
+    const bool blind = options_.start_contact == StartContact::ignore;
     bool apart = false;
     while (now_.gap <= tolerance_) {
         apart = apart || now_.gap > 0;
-        double step = rising_step(facing(), window_.end - t_);
-        if (!(t_ + step > t_)) {
+        double step = step_away();
+        if (step == 0) {
             if (apart) return answer(Status::hit);
-            if (options_.start_contact != StartContact::ignore) return start.answer(Status::touching);
+            if (!blind) return start.answer(Status::touching);
             step = std::max(-now_.gap, tolerance_) / fastest_;
         }
-        const std::optional<Toi> end = move(step);
+        const std::optional<Toi> end = move(step, blind ? options_.t_max : 1);
         if (!end) continue;
-        const bool proven =
-            end->status == Status::separated || options_.start_contact == StartContact::ignore;
-        return proven || apart ? end : start.answer(Status::touching);
+        return end->status == Status::separated || blind || apart ? end : start.answer(Status::touching);
     }
+    if (t_ > options_.t_max) return separated();
     return {};
 }
 
@@ -200,7 +213,7 @@ template <class Part> Toi Advance<Part>::approach()
         if (now_.gap <= tolerance_) return answer(Status::hit);
         const Facing f = facing();
         if (!(f.gap > 0)) return answer(Status::undecided);
-        if (const std::optional<Toi> end = move(safe_step(f, window_.end - t_))) return *end;
+        if (const std::optional<Toi> end = move(safe_step(f, window_.end - t_), options_.t_max)) return *end;
     }
 }
 

@@ -31,7 +31,8 @@ template <int N> Entry border_entry(const V3 (&point)[N], const Border& border, 
     if (!(above <= -climb)) return {}; // later than t = 1
     const double t = above / -climb;
     const V3 at = point[nearest] + t * by;
-    return {t, at, at - (dot(border.normal, at) - border.offset) * border.normal, -side * border.normal};
+    return {t, at, at - (dot(border.normal, at) - border.offset) * border.normal, -side * border.normal,
+            true};
 }
 
 } // namespace brink

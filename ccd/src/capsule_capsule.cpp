@@ -29,7 +29,7 @@ Entry split(const Entry& e, const Segment& a, const Segment& b)
     const double first_v = guess < 0 ? 0 : guess > 1 ? 1 : guess;
     const double u = nearest_on(a, b.start + first_v * b.edge - e.core_b);
     const double v = nearest_on(b, e.core_b + a.start + u * a.edge);
-    return {e.t, e.core_a + a.start + u * a.edge, b.start + v * b.edge, e.facing};
+    return {e.t, e.core_a + a.start + u * a.edge, b.start + v * b.edge, e.facing, e.flat};
 }
 
 } // namespace
@@ -42,9 +42,11 @@ Entry capsule_capsule(const Capsule& a, const Capsule& b, const Approach& m)
     const V3 a0 = turn_a * load(a.a), a1 = turn_a * load(a.b);
     const V3 b0 = turn_b * load(b.a), b1 = turn_b * load(b.b);
     const V3 edge_a = a1 - a0, edge_b = b1 - b0;
-    Polygon<4> difference{{b0 - a0, b1 - a0, b1 - a1, b0 - a1}, careful_cross(edge_a, edge_b), {}, 0};
-    difference.centre = 0.5 * (difference.corner[0] + difference.corner[2]);
-    difference.reach = 0.5 * (norm(edge_a) + norm(edge_b));
+    const V3 corner = b0 - a0, opposite = b1 - a1;
+    const Polygon difference{{corner, b1 - a0, opposite, b0 - a1},
+                             careful_cross(edge_a, edge_b),
+                             0.5 * (corner + opposite),
+                             0.5 * (norm(edge_a) + norm(edge_b))};
     const Entry e = polygon_entry(difference, m.from, m.by, a.radius + b.radius + m.target_gap);
     if (e.t == 0 || e.t == infinity) return e;
     return split(e, {a0, edge_a}, {b0, edge_b});

@@ -98,7 +98,9 @@ Entry sphere_box(const Sphere& a, const Box& b, const Approach& m)
     const double t = first_contact(slabs, a.radius + m.target_gap);
     if (t == 0 || t == infinity) return {.t = t};
     const V3 at = from + t * by, nearest{clamp(at.x, half.x), clamp(at.y, half.y), clamp(at.z, half.z)};
-    return {t, turn * at, turn * nearest, turn * last_face(slabs, by)};
+    const V3 out = nearest - at;
+    const int sides = (out.x != 0) + (out.y != 0) + (out.z != 0);
+    return {t, turn * at, turn * nearest, turn * (sides == 1 ? out : last_face(slabs, by)), sides <= 1};
 }
 
 } // namespace brink

@@ -9,8 +9,8 @@ namespace brink {
 Entry sphere_capsule(const Sphere& a, const Capsule& b, const Approach& m)
 {
     const Rotation turn = m.turn_b();
-    const V3 ends[] = {turn * load(b.a), turn * load(b.b)};
-    return outline_entry(ends, m.from, m.by, a.radius + b.radius + m.target_gap);
+    const double radius = a.radius + b.radius + m.target_gap;
+    return segment_entry(turn * load(b.a), turn * load(b.b), m.from, m.by, radius);
 }
 
 } // namespace brink

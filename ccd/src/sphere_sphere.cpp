@@ -27,12 +27,12 @@ Entry sphere_sphere(const Sphere& a, const Sphere& b, const Approach& m)
     const Pair sum = two_sum(radii.hi, m.target_gap);
     const Pair radius{sum.hi, sum.lo + radii.lo};
 
-    const double c = clearance_squared(m.from, m.from_low, radius);
+    const double c = clearance_squared(m.from, m.from_low(), radius);
     if (c <= 0) return {.t = 0};
     const double along = dot(m.from, m.by);
     const double across = norm_squared(cross(m.from, m.by));
     const double t = first_root(along, c, norm_squared(m.by) * (radius.hi * radius.hi) - across);
-    return {t, m.from + t * m.by, {}, m.by};
+    return {t, m.from + t * m.by, {}, m.by, false};
 }
 
 } // namespace brink

@@ -10,12 +10,16 @@ namespace brink {
 Entry sphere_triangle(const Sphere& a, const Triangle& b, const Approach& m)
 {
     const Rotation turn = m.turn_b();
-    const V3 la = load(b.a), lb = load(b.b), lc = load(b.c);
-    Polygon<3> p{{turn * la, turn * lb, turn * lc}, turn * careful_cross(lb - la, lc - la), {}, 0};
-    p.centre = (1.0 / 3) * (p.corner[0] + p.corner[1] + p.corner[2]);
-    p.reach = std::sqrt(std::max({norm_squared(p.corner[0] - p.centre), norm_squared(p.corner[1] - p.centre),
-                                  norm_squared(p.corner[2] - p.centre)}));
-    return polygon_entry(p, m.from, m.by, a.radius + m.target_gap);
+    const V3 local = load(b.a), edge_b = load(b.b) - local, edge_c = load(b.c) - local;
+    const V3 corner_a = turn * local, corner_b = turn * load(b.b), corner_c = turn * load(b.c);
+    const V3 centre = (1.0 / 3) * (corner_a + corner_b + corner_c);
+    const double reach_squared = std::max(
+        {norm_squared(corner_a - centre), norm_squared(corner_b - centre), norm_squared(corner_c - centre)});
+    const Polygon triangle{{corner_a, corner_b, corner_c, corner_a},
+                           turn * careful_cross(edge_b, edge_c),
+                           centre,
+                           std::sqrt(reach_squared)};
+    return polygon_entry(triangle, m.from, m.by, a.radius + m.target_gap);
 }
 
 } // namespace brink

@@ -70,11 +70,10 @@ template <class Shape> bool translates(const Shape& s, const Motion& m)
 
 Approach approach(const Query& q)
 {
-    const V3 a = load(q.motion_a.start.position), b = load(q.motion_b.start.position);
-    const Pair x = two_difference(a.x, b.x), y = two_difference(a.y, b.y), z = two_difference(a.z, b.z);
+    const Pose& a = q.motion_a.start;
+    const Pose& b = q.motion_b.start;
     const V3 by = load(q.motion_a.translation) - load(q.motion_b.translation);
-    return {{x.hi, y.hi, z.hi},   {x.lo, y.lo, z.lo},           by,
-            q.options.target_gap, q.motion_a.start.orientation, q.motion_b.start.orientation};
+    return {load(a.position) - load(b.position), by, q.options.target_gap, a, b};
 }
 
 /// An answer that has a time but no contact to tell about.
@@ -91,9 +90,13 @@ Toi hit(const Query& q, const Approach& m, const Entry& e, double radius_a, doub
     const V3 between = e.core_b - e.core_a;
     const double distance = norm(between), gap = distance - (radius_a + radius_b);
     V3 normal = (1 / distance) * between;
-    if (!(distance > tolerance::core_noise * (sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by)))) {
+    if (e.flat ||
+        !(distance > tolerance::core_noise * (sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by)))) {
         const double length = norm(e.facing);
-        normal = length > 0 ? (1 / length) * e.facing : V3{};
+        if (length > 0)
+            normal = (1 / length) * e.facing;
+        else if (distance == 0)
+            normal = {};
     }
     const V3 origin = load(q.motion_b.start.position) + e.t * load(q.motion_b.translation);
     const V3 point_a = origin + (e.core_a + radius_a * normal),

@@ -12,12 +12,12 @@ inline constexpr double unit_roundoff = 0x1p-53;
 /// normal.
 inline constexpr double core_noise = 64 * unit_roundoff;
 
-/// Rounding of a pose and of one separation along an axis, as a multiple of the sum of the lengths and arcs that
-/// enter them: the operations counted in numerics.md.
+/// Rounding of a pose and of one separation along an axis, as a multiple of the sum of the lengths and arcs
+/// that enter them: the operations counted in numerics.md.
 inline constexpr double certificate_slack = 128 * unit_roundoff;
 
-/// The same where the caller's tolerance has no room for the worst case: what is left when every rounding goes the
-/// same way but each is of average size. It keeps promise 3 of a gap within 16 eps of the scale.
+/// The same where the caller's tolerance has no room for the worst case: what is left when every rounding
+/// goes the same way but each is of average size. It keeps promise 3 of a gap within 16 eps of the scale.
 inline constexpr double least_slack = 5 * unit_roundoff;
 
 /// The balls of the swept-sphere clip grow by this times (relative position + relative motion + radii): the

@@ -34,7 +34,7 @@ public:
             add(sign * product.hi);
         }
     }
-    bool positive() const
+    [[nodiscard]] bool positive() const
     {
         for (int k = size_ - 1; k >= 0; --k)
             if (parts_[k] != 0) return parts_[k] > 0;

@@ -23,17 +23,22 @@ Patch touched(const Core& c, V3 n, double height, double slack)
     return {c, corners};
 }
 
-/// The answer with this axis. Once B is moved along it by the gap, the two touch: there are the witness
-/// points.
-Separation touching(const Core& a, const Core& b, const Axis& axis, double slack)
+/// Where the two touch once B is moved along the axis by its gap: the witness points, and what is left
+/// between.
+NearestPair contact(const Core& a, const Core& b, const Axis& axis, double slack)
 {
-    const V3 n = axis.normal;
-    const Core moved = placed(b, Rotation{}, -axis.gap * n);
-    const double height = interval(a, n).high;
-    NearestPair pair = nearest_features(touched(a, n, height, slack), touched(moved, n, height, slack));
+    const Core moved = placed(b, Rotation{}, -axis.gap * axis.normal);
+    const double height = interval(a, axis.normal).high;
+    const NearestPair pair =
+        nearest_features(touched(a, axis.normal, height, slack), touched(moved, axis.normal, height, slack));
     // Of two nearly parallel faces rounding may choose the one beside which the deepest points lie.
-    if (!(pair.square <= slack * slack)) pair = nearest_features({a}, {moved});
-    return {axis.gap, axis.gap, n, pair.point_a, pair.point_a + axis.gap * n};
+    return pair.square <= slack * slack ? pair : nearest_features({a}, {moved});
+}
+
+Separation overlapping(const Core& a, const Core& b, const Axis& axis, double slack)
+{
+    const V3 point_a = contact(a, b, axis, slack).point_a;
+    return {axis.gap, axis.gap, axis.normal, point_a, point_a + axis.gap * axis.normal};
 }
 
 /// The gap, from the distance of the witness points and the lower bound. What is left between the points of
@@ -57,6 +62,19 @@ Axis along(const Core& a, const Core& b, V3 n)
     return {gap_along(a, b, n), n};
 }
 
+/// Cores apart, by an axis that is certain of the distance, where witness points are as far apart in many
+/// places up to rounding, and the nearest of all features were not those that the axis leads to.
+Separation by_axis(const Core& a, const Core& b, const Axis& axis, double slack)
+{
+    const NearestPair rest = contact(a, b, axis, slack);
+    const V3 v = axis.gap * axis.normal + rest.v;
+    const double distance = norm(v);
+    const Axis better = along(a, b, v);
+    if (better.gap >= distance - slack)
+        return {std::min(better.gap, distance), distance, better.normal, rest.point_a, rest.point_a + v};
+    return {axis.gap, axis.gap, axis.normal, rest.point_a, rest.point_a + v};
+}
+
 /// Cores apart, or only just touching, that GJK was not certain about.
 Separation by_features(const Core& a, const Core& b, const Axis& axis, double slack)
 {
@@ -68,7 +86,7 @@ Separation by_features(const Core& a, const Core& b, const Axis& axis, double sl
             best = preferred(best, along(a, b, across(pair.v, d.edge[k])), enough);
     best = preferred(best, axis, enough);
     if (distance > slack && best.gap >= enough && norm(pair.v - distance * best.normal) > slack)
-        return touching(a, b, best, slack);
+        return by_axis(a, b, best, slack);
     return {std::min(best.gap, distance), certified(distance, best.gap, slack), best.normal, pair.point_a,
             pair.point_a + pair.v};
 }
@@ -82,7 +100,7 @@ Separation polytope_separation(const Core& a, const Core& b)
     if (c.certain)
         return {c.lower, certified(norm(c.v), c.lower, slack), c.normal, c.point_a, c.point_a + c.v};
     const Axis axis = separating_axis(a, b);
-    if (axis.gap < -slack) return touching(a, b, axis, slack);
+    if (axis.gap < -slack) return overlapping(a, b, axis, slack);
     return by_features(a, b, axis, slack);
 }
 

@@ -52,7 +52,8 @@ double ray_cylinder(V3 x, V3 d, V3 axis, double radius)
         first_root(dot(m, n), c, length * (norm_squared(n) * radius * radius - across_ray * across_ray));
     if (!(t < infinity)) return infinity;
     const double along = dot(x + t * d, axis);
-    return along >= 0 && along <= length ? t : infinity;
+    if (!(along >= 0 && along <= length)) return infinity;
+    return t;
 }
 
 Entry enter_capsule(const Ray& ray, const Core& c)

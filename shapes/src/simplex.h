@@ -18,13 +18,13 @@ struct Simplex {
     Corner corners[4];
 
     /// The point that the weights stand for.
-    V3 point() const;
-    bool contains(int in_a, int in_b) const;
+    [[nodiscard]] V3 point() const;
+    [[nodiscard]] bool contains(int in_a, int in_b) const;
     /// One corner more; fewer than four before.
-    Simplex with(const Corner&) const;
+    [[nodiscard]] Simplex with(const Corner&) const;
     /// The same hull's nearest point to the origin, and only the corners that it needs: four only where the
     /// origin is inside. The last corner must be the newest one.
-    Simplex reduced() const;
+    [[nodiscard]] Simplex reduced() const;
 };
 
 } // namespace brink

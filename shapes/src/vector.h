@@ -4,93 +4,59 @@
 #include <brink/pose.h>
 
 #include <cmath>
+#include <type_traits>
 
 /// brink's own arithmetic. Eigen only stores and passes: its products use fused multiply-adds where the flags
 /// allow, and its inline functions may be linked from a user's object file, so answers never pass through
 /// them. Everything has internal linkage and a fixed order of operations.
 namespace brink {
 
-struct V3 {
-    double x = 0, y = 0, z = 0;
+/// Three coordinates. T is double, or several doubles side by side.
+template <class T> struct XYZ {
+    T x{}, y{}, z{};
 };
+using V3 = XYZ<double>;
 
-static inline V3 load(const Vec3& v)
-{
-    return {v.data()[0], v.data()[1], v.data()[2]};
-}
-static inline Vec3 store(V3 v)
-{
-    return {v.x, v.y, v.z};
-}
+static inline V3 load(const Vec3& v) { return {v.data()[0], v.data()[1], v.data()[2]}; }
+static inline Vec3 store(V3 v) { return {v.x, v.y, v.z}; }
 
-static inline V3 operator+(V3 a, V3 b)
+template <class T> static inline XYZ<T> operator+(XYZ<T> a, XYZ<T> b)
 {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-static inline V3 operator-(V3 a, V3 b)
+template <class T> static inline XYZ<T> operator-(XYZ<T> a, XYZ<T> b)
 {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-static inline V3 operator-(V3 a)
-{
-    return {-a.x, -a.y, -a.z};
-}
-static inline V3 operator*(double s, V3 a)
+template <class T> static inline XYZ<T> operator-(XYZ<T> a) { return {-a.x, -a.y, -a.z}; }
+template <class T> static inline XYZ<T> operator*(std::type_identity_t<T> s, XYZ<T> a)
 {
     return {s * a.x, s * a.y, s * a.z};
 }
-static inline bool operator==(V3 a, V3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
+static inline bool operator==(V3 a, V3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-static inline double dot(V3 a, V3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-static inline V3 cross(V3 a, V3 b)
+template <class T> static inline T dot(XYZ<T> a, XYZ<T> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class T> static inline XYZ<T> cross(XYZ<T> a, XYZ<T> b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-static inline double norm_squared(V3 a)
-{
-    return dot(a, a);
-}
-static inline double norm(V3 a)
-{
-    return std::sqrt(dot(a, a));
-}
-
-static inline double sum_of_magnitudes(V3 a)
-{
-    return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z);
-}
+template <class T> static inline T norm_squared(XYZ<T> a) { return dot(a, a); }
+static inline double norm(V3 a) { return std::sqrt(dot(a, a)); }
+static inline double sum_of_magnitudes(V3 a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
 
 /// Zero times every coordinate: zero when all are finite, NaN otherwise. Sums of these test many numbers at
 /// once.
-static inline double finite_probe(V3 a)
-{
-    return a.x * 0 + a.y * 0 + a.z * 0;
-}
+static inline double finite_probe(V3 a) { return a.x * 0 + a.y * 0 + a.z * 0; }
 
 /// The rotation M(q) / |q|^2, by columns: the images of the local axes.
 struct Rotation {
     V3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 };
 
-static inline V3 operator*(const Rotation& r, V3 v)
-{
-    return v.x * r.x + v.y * r.y + v.z * r.z;
-}
+static inline V3 operator*(const Rotation& r, V3 v) { return v.x * r.x + v.y * r.y + v.z * r.z; }
 /// The inverse rotation of v.
-static inline V3 into(const Rotation& r, V3 v)
-{
-    return {dot(r.x, v), dot(r.y, v), dot(r.z, v)};
-}
-static inline Rotation operator*(const Rotation& r, const Rotation& s)
-{
-    return {r * s.x, r * s.y, r * s.z};
-}
+static inline V3 into(const Rotation& r, V3 v) { return {dot(r.x, v), dot(r.y, v), dot(r.z, v)}; }
+static inline Rotation operator*(const Rotation& r, const Rotation& s) { return {r * s.x, r * s.y, r * s.z}; }
 
 static inline Rotation rotation(const Quat& q)
 {

@@ -31,7 +31,7 @@ double draw_size(Random& random)
 Vec3 draw_normal(Random& random, ShapeStyle style)
 {
     if (style != ShapeStyle::any || random.chance(0.2)) return draw_axis(random);
-    const Vec3 normal = random.unit();
+    Vec3 normal = random.unit();
     const int kind = random.index(10);
     if (kind == 0) return in_float(normal);
     if (kind == 1) return (1 + random.between(-4e-7, 4e-7)) * normal;
@@ -148,7 +148,7 @@ Box thin_wall(Random& random)
 
 Quat draw_orientation(Random& random)
 {
-    const Quat turned = random.rotation();
+    Quat turned = random.rotation();
     const int kind = random.index(10);
     if (kind < 2) return {1, 0, 0, 0};
     if (kind == 2) {

@@ -119,7 +119,7 @@ void FclProcess::start()
     line_ = ends[0];
 }
 
-void FclProcess::stop()
+void FclProcess::stop() const
 {
     kill(child_, SIGKILL);
     waitpid(child_, nullptr, 0);

@@ -56,7 +56,7 @@ public:
 private:
     struct Bench;
     void start();
-    void stop();
+    void stop() const;
     /// Hears bench entries from `first` to `count`; returns the first unanswered.
     std::size_t hear_from(std::size_t first, std::size_t count);
 

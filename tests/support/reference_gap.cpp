@@ -86,7 +86,7 @@ Gap gap_above(const Placed& body, const Placed& ground)
 {
     const auto height = [&](const Real3& p) { return dot(ground.normal, p) - ground.offset; };
     const auto lower = [&](const Real3& p, const Real3& q) { return height(p) < height(q); };
-    const auto end = body.corners.begin() + static_cast<std::ptrdiff_t>(body.corner_count);
+    const auto* const end = body.corners.begin() + static_cast<std::ptrdiff_t>(body.corner_count);
     const auto [lowest, highest] = std::minmax_element(body.corners.begin(), end, lower);
     const Real above = height(*lowest) - body.radius;
     const Real below = -height(*highest) - body.radius;

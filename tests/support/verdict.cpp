@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
 
 namespace brink::support {
 namespace {
@@ -163,7 +164,7 @@ Findings judge_contact(Trial& trial)
 
 } // namespace
 
-Trial::Trial(const Query& query, const Toi& toi) : query_(query), toi_(toi) {}
+Trial::Trial(Query query, Toi toi) : query_(std::move(query)), toi_(std::move(toi)) {}
 
 const GapOverTime& Trial::motion()
 {

@@ -20,7 +20,7 @@ using Findings = std::vector<Finding>;
 /// A query, the answer on trial, and the reference's answer, asked for only when something needs it.
 class Trial {
 public:
-    Trial(const Query&, const Toi&);
+    Trial(Query, Toi);
     explicit Trial(const Query& q) : Trial(q, answer(q)) {}
 
     const Query& query() const { return query_; }

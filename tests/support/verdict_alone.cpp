@@ -103,7 +103,9 @@ bool agrees(Trial& trial, const Toi& other, Real moved)
     if (at_start && (other.status != toi.status || ignores_start)) return true;
     if (other.status == toi.status) {
         constexpr Real slow = 0.1L; // of the fastest motion: the closing speed itself changes within the band
-        const bool touched_in_passing = std::abs(toi.t - ref.t) > trial.spread(); // near, before the contact
+        // Within the band of contact some time before it: a hit that the tolerance allows.
+        const bool touched_in_passing =
+            std::abs(toi.t - ref.t) > trial.spread() && trial.motion().at(toi.t).gap - target <= 2 * band;
         const bool each_by_its_gap = !ref.contact || ref.closing_speed < slow * trial.motion().fastest();
         if (each_by_its_gap || touched_in_passing) return true;
         return std::abs(other.t - toi.t) <= trial.spread() + 4 * moved / ref.closing_speed;
