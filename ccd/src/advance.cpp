@@ -195,12 +195,13 @@ template <class Part> std::optional<Toi> Advance<Part>::leave()
         apart = apart || now_.gap > 0;
         double step = step_away();
         if (step == 0) {
-            if (apart) return answer(Status::hit);
+            if (apart) return t_ > options_.t_max ? separated() : answer(Status::hit);
             if (!blind) return start.answer(Status::touching);
             step = std::max(-now_.gap, tolerance_) / fastest_;
         }
         const std::optional<Toi> end = move(step, blind ? options_.t_max : 1);
         if (!end) continue;
+        if (apart && end->t > options_.t_max) return separated();
         return end->status == Status::separated || blind || apart ? end : start.answer(Status::touching);
     }
     if (t_ > options_.t_max) return separated();

@@ -84,8 +84,12 @@ GapOverTime::GapOverTime(const Query& query)
     bend_ = a_.turn * a_.turn * a_.reach + b_.turn * b_.turn * b_.reach;
     if (unbounded(query.a)) bend_ += 2 * a_.turn * (norm(by) + b_.turn * b_.reach);
     if (unbounded(query.b)) bend_ += 2 * b_.turn * (norm(by) + a_.turn * a_.reach);
-    scale_ = norm(real3(query.motion_a.start.position) - origin_) + norm(by) +
-             (1 + a_.turn) * extent(query.a, a_.pivot_local) +
+    // What an unbounded body that turns extends to is where it can be met.
+    const auto swept = [](const Shape& shape, const Body& b) {
+        return unbounded(shape) ? b.turn * b.reach : 0;
+    };
+    scale_ = swept(query.a, a_) + swept(query.b, b_) + norm(real3(query.motion_a.start.position) - origin_) +
+             norm(by) + (1 + a_.turn) * extent(query.a, a_.pivot_local) +
              (1 + b_.turn) * extent(query.b, b_.pivot_local) + static_cast<Real>(query.options.target_gap);
 }
 
