@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pairs.h"
 #include "quadratic.h"
+#include "tolerance.h"
 
 namespace brink {
 
 namespace {
 
-/// |high + low|^2 - radius^2 to nearly twice the working precision (Ogita, Rump and Oishi 2005): near
-/// touching, what cancels in it is all the distance there is.
-double clearance_squared(V3 high, V3 low, Pair radius)
+/// |from|^2 - radius^2 to nearly twice the working precision (Ogita, Rump and Oishi 2005), from what the
+/// poses and radii say before rounding: near touching, what cancels in it is all the distance there is.
+[[gnu::noinline]] double clearance_squared(const Sphere& a, const Sphere& b, const Approach& m)
 {
+    const V3 high = m.from, low = m.from_low();
+    const Pair radii = two_sum(a.radius, b.radius), sum = two_sum(radii.hi, m.target_gap);
+    const double radius_low = sum.lo + radii.lo;
     const Pair x = two_product(high.x, high.x), y = two_product(high.y, high.y),
                z = two_product(high.z, high.z);
-    const Pair r = two_product(radius.hi, radius.hi);
+    const Pair r = two_product(sum.hi, sum.hi);
     const Pair xy = two_sum(x.hi, y.hi), zr = two_difference(z.hi, r.hi), all = two_sum(xy.hi, zr.hi);
-    const double rest = (x.lo + y.lo) + (z.lo - r.lo) + 2 * (dot(high, low) - radius.hi * radius.lo);
+    const double rest = (x.lo + y.lo) + (z.lo - r.lo) + 2 * (dot(high, low) - sum.hi * radius_low);
     return all.hi + (all.lo + xy.lo + zr.lo + rest);
 }
 
@@ -23,15 +27,13 @@ double clearance_squared(V3 high, V3 low, Pair radius)
 /// The centre of A against the ball of both radii about B's (Ericson, Real-Time Collision Detection, 2005).
 Entry sphere_sphere(const Sphere& a, const Sphere& b, const Approach& m)
 {
-    const Pair radii = two_sum(a.radius, b.radius);
-    const Pair sum = two_sum(radii.hi, m.target_gap);
-    const Pair radius{sum.hi, sum.lo + radii.lo};
-
-    const double c = clearance_squared(m.from, m.from_low(), radius);
+    const double radius = a.radius + b.radius + m.target_gap;
+    const double distance_squared = norm_squared(m.from);
+    double c = distance_squared - radius * radius;
+    if (c < tolerance::cancelled * distance_squared) c = clearance_squared(a, b, m);
     if (c <= 0) return {.t = 0};
-    const double along = dot(m.from, m.by);
     const double across = norm_squared(cross(m.from, m.by));
-    const double t = first_root(along, c, norm_squared(m.by) * (radius.hi * radius.hi) - across);
+    const double t = first_root(dot(m.from, m.by), c, norm_squared(m.by) * (radius * radius) - across);
     return {t, m.from + t * m.by, {}, m.by, false};
 }
 

@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -18,19 +20,18 @@ namespace brink {
 
 namespace {
 
-bool valid(const Options& o)
-{
-    return (o.t_max >= 0) & (o.t_max <= 1) & is_size(o.target_gap) & is_size(o.tolerance) &
-           (o.max_iterations >= 1) & (o.start_contact <= StartContact::ignore) &
-           (o.detail <= Detail::time_only);
-}
-
 /// The shape that the table's row or column says it is.
 template <class Shape> const Shape& as(const brink::Shape& shape)
 {
     const Shape* s = std::get_if<Shape>(&shape);
     if (!s) __builtin_unreachable();
     return *s;
+}
+
+bool valid(const Options& o)
+{
+    return o.t_max >= 0 && o.t_max <= 1 && is_size(o.target_gap) && is_size(o.tolerance) &&
+           o.max_iterations >= 1 && o.start_contact <= StartContact::ignore && o.detail <= Detail::time_only;
 }
 
 template <class A, class B> bool valid(const Query& q)
@@ -43,32 +44,53 @@ double radius(const Capsule& s) { return s.radius; }
 template <class Shape> double radius(const Shape&) { return 0; }
 
 double sum(const Vec3& v) { return sum_of_magnitudes(load(v)); }
-double size(const Sphere& s) { return std::fabs(s.radius); }
-double size(const Capsule& s) { return sum(s.a) + sum(s.b) + std::fabs(s.radius); }
+double size(const Sphere& s) { return s.radius; }
+double size(const Capsule& s) { return sum(s.a) + sum(s.b) + s.radius; }
 double size(const Box& s) { return sum(s.half_extents); }
 double size(const Triangle& s) { return sum(s.a) + sum(s.b) + sum(s.c); }
 double size(const Plane& s) { return std::fabs(s.offset); }
 double size(const HalfSpace& s) { return std::fabs(s.offset); }
 
-/// Whether every length of the query is finite and products of four of them stay far from overflow.
-template <class A, class B> bool in_range(const Query& q, const Approach& m)
+/// The lengths of a valid query, added up. Products of four stay far from overflow below `largest_extent`; a
+/// sum that is not says nothing about which one is to blame, or that one is not finite.
+template <class A, class B> double lengths(const Query& q, const Approach& m)
 {
-    const double lengths = sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + sum(q.motion_a.pivot) +
-                           sum(q.motion_b.pivot) + size(as<A>(q.a)) + size(as<B>(q.b)) + m.target_gap;
-    return lengths < tolerance::largest_extent;
+    return sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + sum(q.motion_a.pivot) +
+           sum(q.motion_b.pivot) + size(as<A>(q.a)) + size(as<B>(q.b)) + m.target_gap;
 }
 
-/// Whether the body is known at a glance to translate only, with everything but its lengths in order.
+/// Not negative (nor -0), not NaN and at most `most`: one comparison, because such doubles sort like their
+/// bits.
+bool up_to(double most, double x)
+{
+    return std::bit_cast<std::uint64_t>(x) <= std::bit_cast<std::uint64_t>(most);
+}
+/// Nonzero in some bit but the sign.
+std::uint64_t any_bit(const Vec3& v)
+{
+    const double* c = v.data();
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    return (bits(c[0]) | bits(c[1]) | bits(c[2])) << 1U;
+}
+
+/// Whether a body is seen at a glance to translate only, and to be valid but for lengths that are not finite.
 bool translates(const Sphere& s, const Motion& m)
 {
-    return (s.radius >= 0) & (sum(m.pivot) == 0) & (sum(m.rotation) <= largest_rotation);
+    return up_to(tolerance::largest_extent, s.radius) & (any_bit(m.pivot) == 0) &
+           (sum(m.rotation) <= largest_rotation);
 }
-template <class Shape> bool translates(const Shape& s, const Motion& m)
+template <class Shape> [[gnu::always_inline]] inline bool translates(const Shape& s, const Motion& m)
 {
-    return brink::valid(s) & brink::valid(m.start.orientation) & (sum(m.rotation) == 0);
+    return brink::valid(s) & brink::valid(m.start.orientation) & (any_bit(m.rotation) == 0);
+}
+bool usual(const Options& o)
+{
+    return up_to(1, o.t_max) & up_to(tolerance::largest_extent, o.target_gap) &
+           up_to(tolerance::largest_extent, o.tolerance) & (o.max_iterations >= 1) &
+           (o.start_contact <= StartContact::ignore) & (o.detail <= Detail::time_only);
 }
 
-Approach approach(const Query& q)
+[[gnu::always_inline]] inline Approach approach(const Query& q)
 {
     const Pose& a = q.motion_a.start;
     const Pose& b = q.motion_b.start;
@@ -111,7 +133,7 @@ template <class A, class B> [[gnu::noinline]] Toi solve_by_advancing(const Query
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
-Toi solve_translation(const Query& q, const Approach& m)
+[[gnu::always_inline]] inline Toi solve_translation(const Query& q, const Approach& m)
 {
     const Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
     if (e.t == 0) return solve_by_advancing<A, B>(q, Start::in_contact);
@@ -124,38 +146,48 @@ template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)
 {
     if (!valid<A, B>(q)) return {};
     const Approach m = approach(q);
-    if (!in_range<A, B>(q, m)) return plain(Status::undecided, 0);
+    if (!(lengths<A, B>(q, m) < tolerance::largest_extent)) return plain(Status::undecided, 0);
     if (turns(as<A>(q.a), q.motion_a) || turns(as<B>(q.b), q.motion_b))
         return solve_by_advancing<A, B>(q, Start::open);
     return solve_translation<A, B, kernel>(q, m);
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
-Toi solve_exactly(const Query& q)
+Toi solve_exactly(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
+                  const Options& options)
 {
+    const Query q{a, motion_a, b, motion_b, options};
     const Approach m = approach(q);
-    const bool clear = in_range<A, B>(q, m) & valid(q.options) & translates(as<A>(q.a), q.motion_a) &
-                       translates(as<B>(q.b), q.motion_b);
+    const bool clear = (lengths<A, B>(q, m) < tolerance::largest_extent) & usual(options) &
+                       translates(as<A>(a), motion_a) & translates(as<B>(b), motion_b);
     return clear ? solve_translation<A, B, kernel>(q, m) : solve_with_care<A, B, kernel>(q);
 }
 
-template <class A, class B> Toi solve(const Query& q)
+template <class A, class B>
+Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
+          const Options& options)
 {
+    const Query q{a, motion_a, b, motion_b, options};
     if (!valid<A, B>(q)) return {};
-    if (!in_range<A, B>(q, approach(q))) return plain(Status::undecided, 0);
+    if (!(lengths<A, B>(q, approach(q)) < tolerance::largest_extent)) return plain(Status::undecided, 0);
     return solve_by_advancing<A, B>(q, Start::open);
 }
 
-Toi solve_nothing(const Query&) { return {}; }
+Toi solve_nothing(const Shape&, const Motion&, const Shape&, const Motion&, const Options&) { return {}; }
 
-template <Toi (*solver)(const Query&)> Toi swapped(const Query& q)
+/// Answers like time_of_impact, for one pair of shapes.
+using Solver = decltype(&time_of_impact);
+
+template <Solver solver>
+Toi swapped(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
+            const Options& options)
 {
-    return flipped(solver({q.b, q.motion_b, q.a, q.motion_a, q.options}));
+    return flipped(solver(b, motion_b, a, motion_a, options));
 }
 
 /// One pair of the table. The types keep every solver in its row and column.
 template <class A, class B> struct Cell {
-    Toi (*solve)(const Query&);
+    Solver solve;
     Method method;
 };
 
@@ -224,7 +256,7 @@ Toi time_of_impact(const Shape& a, const Motion& motion_a, const Shape& b, const
                    const Options& options)
 {
     if (std::max(a.index(), b.index()) >= table.size()) return {}; // lost its value to an exception
-    return table[a.index()][b.index()].solve({a, motion_a, b, motion_b, options});
+    return table[a.index()][b.index()].solve(a, motion_a, b, motion_b, options);
 }
 
 } // namespace brink

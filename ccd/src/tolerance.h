@@ -24,6 +24,10 @@ inline constexpr double least_slack = 5 * unit_roundoff;
 /// quadratic's discriminant and root are those of a ball and a path that differ by a few roundings of these.
 inline constexpr double clip_slack = 64 * unit_roundoff;
 
+/// A difference of squares below this part of them has lost four bits or more to cancellation: it is taken
+/// again with the rounding errors of its terms. Above, it is right to 16 times a few roundings.
+inline constexpr double cancelled = 1.0 / 16;
+
 /// Larger sums of positions, motions and sizes would overflow when multiplied four at a time (scene length
 /// unit).
 inline constexpr double largest_extent = 1e75;
