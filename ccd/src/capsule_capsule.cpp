@@ -10,26 +10,45 @@ struct Segment {
     V3 start, edge;
 };
 
+double clamped(double s) { return s < 0 ? 0 : s > 1 ? 1 : s; }
+
 /// Where on the segment, 0 to 1, `point` comes nearest.
 double nearest_on(const Segment& s, V3 point)
 {
     const double length_squared = norm_squared(s.edge);
-    if (length_squared == 0) return 0;
-    const double along = dot(point - s.start, s.edge) / length_squared;
-    return along < 0 ? 0 : along > 1 ? 1 : along;
+    return length_squared == 0 ? 0 : clamped(dot(point - s.start, s.edge) / length_squared);
 }
 
-/// Turns a point of the parallelogram B - A back into a point of each segment. Parallel segments leave a
-/// choice; the second and third projections keep their difference right however the first one came out.
-Entry split(const Entry& e, const Segment& a, const Segment& b)
+struct Places {
+    double on_a, on_b; // 0 to 1
+};
+
+/// Turns a point of the parallelogram's face back into a place on each segment. Nearly parallel segments
+/// leave a choice; the projections keep their difference right however the first guess came out.
+Places places_in_face(V3 met, const Segment& a, const Segment& b, V3 normal)
 {
-    const V3 across = cross(b.edge, a.edge), q = e.core_b - (b.start - a.start);
-    const double area_squared = norm_squared(across);
-    const double guess = area_squared > 0 ? dot(cross(q, a.edge), across) / area_squared : 0;
-    const double first_v = guess < 0 ? 0 : guess > 1 ? 1 : guess;
-    const double u = nearest_on(a, b.start + first_v * b.edge - e.core_b);
-    const double v = nearest_on(b, e.core_b + a.start + u * a.edge);
-    return {e.t, e.core_a + a.start + u * a.edge, b.start + v * b.edge, e.facing, e.flat};
+    const V3 q = met - (b.start - a.start);
+    const double area_squared = norm_squared(normal);
+    const double guess = clamped(dot(cross(a.edge, q), normal) / area_squared);
+    const double on_a = nearest_on(a, b.start + guess * b.edge - met);
+    if (area_squared > tolerance::nearly_parallel * norm_squared(a.edge) * norm_squared(b.edge))
+        return {on_a, guess};
+    return {on_a, nearest_on(b, met + a.start + on_a * a.edge)};
+}
+
+/// The parallelogram's edges run along b, back along a, back along b, along a.
+Places places_on_outline(int edge, double along)
+{
+    switch (edge) {
+    case 0:
+        return {0, along};
+    case 1:
+        return {along, 1};
+    case 2:
+        return {1, 1 - along};
+    default:
+        return {1 - along, 0};
+    }
 }
 
 } // namespace
@@ -47,9 +66,15 @@ Entry capsule_capsule(const Capsule& a, const Capsule& b, const Approach& m)
                              careful_cross(edge_a, edge_b),
                              0.5 * (corner + opposite),
                              0.5 * (norm(edge_a) + norm(edge_b))};
-    const Entry e = polygon_entry(difference, m.from, m.by, a.radius + b.radius + m.target_gap);
+    const PolygonEntry met = polygon_entry(difference, m.from, m.by, a.radius + b.radius + m.target_gap);
+    Entry e = met.entry;
     if (e.t == 0 || e.t == infinity) return e;
-    return split(e, {a0, edge_a}, {b0, edge_b});
+    const Places places = met.edge < 0
+                              ? places_in_face(e.core_b, {a0, edge_a}, {b0, edge_b}, difference.normal)
+                              : places_on_outline(met.edge, met.along);
+    e.core_a = e.core_a + a0 + places.on_a * edge_a;
+    e.core_b = b0 + places.on_b * edge_b;
+    return e;
 }
 
 } // namespace brink

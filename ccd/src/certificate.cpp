@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
 
+#include "tolerance.h"
+
 #include <algorithm>
 
 namespace brink {
@@ -8,7 +10,6 @@ namespace brink {
 namespace {
 
 constexpr int newton_rounds = 8;
-constexpr double round_down = 1 - 0x1p-51;
 
 /// The points that support the turning axis at some h, as a line in h.
 struct Piece {
@@ -107,7 +108,7 @@ double safe(const Facing& f, V3 spin, double horizon)
     const Bound bound(f, spin, horizon);
     const double x = bound.last(0), left = bound.at(x, bound.piece(x));
     if (left >= 0) return x;
-    return x * (f.gap / (f.gap - left)) * round_down; // the chord lies below a concave function
+    return x * (f.gap / (f.gap - left)) * tolerance::step_shrink; // the chord lies below a concave function
 }
 
 double rising(const Facing& f, V3 spin, double horizon)
@@ -124,7 +125,7 @@ double first_order(const Facing& f, double horizon)
 {
     const double rate = norm(cross(f.axis, f.a.rate)) * f.a.reach +
                         norm(cross(f.axis, f.b.rate)) * f.b.reach - dot(f.axis, f.velocity);
-    return rate * horizon <= f.gap ? horizon : f.gap / rate * round_down;
+    return rate * horizon <= f.gap ? horizon : f.gap / rate * tolerance::step_shrink;
 }
 
 /// The best step over the axes worth turning: at rest, glued to A, glued to B. A plane's normal stays with

@@ -2,6 +2,7 @@
 #include <brink/motion.h>
 
 #include "mover.h"
+#include "tolerance.h"
 #include "trig.h"
 #include "valid_motion.h"
 #include "validity.h"
@@ -47,7 +48,7 @@ V3 most(V3 a, V3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a
 Span around(Span a, Span b, double stray)
 {
     const V3 min = least(a.min, b.min), max = most(a.max, b.max);
-    const auto grow = [stray](double x) { return stray + 0x1p-50 * (std::fabs(x) + stray); };
+    const auto grow = [stray](double x) { return stray + tolerance::outwards * (std::fabs(x) + stray); };
     return {{min.x - grow(min.x), min.y - grow(min.y), min.z - grow(min.z)},
             {max.x + grow(max.x), max.y + grow(max.y), max.z + grow(max.z)}};
 }
@@ -58,7 +59,8 @@ constexpr V3 lowest{-infinity, -infinity, -infinity}, highest{infinity, infinity
 /// pivot's straight line by at most its reach.
 Span swept(const Mover<Core>& m, Span start, Span end, double t_max)
 {
-    const double rounding = 0x1p-46 * (norm(m.arm) + norm(m.translation) + (1 + m.turn.angle) * m.reach);
+    const double rounding =
+        tolerance::pose_rounding * (norm(m.arm) + norm(m.translation) + (1 + m.turn.angle) * m.reach);
     const double angle = m.turn.angle * t_max;
     const Span chord = around(start, end, 0.125 * angle * angle * m.reach + rounding);
     if (angle == 0) return chord;
@@ -70,7 +72,7 @@ Span swept(const Mover<Core>& m, Span start, Span end, double t_max)
 Span swept(const Mover<Border>& m, Span start, Span end, double)
 {
     if (m.turn.angle > 0) return {lowest, highest};
-    return around(start, end, 0x1p-46 * norm(m.translation));
+    return around(start, end, tolerance::pose_rounding * norm(m.translation));
 }
 
 Span span(const Aabb& box) { return {brink::load(box.min), brink::load(box.max)}; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mover.h"
 
+#include "tolerance.h"
 #include "trig.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ double farthest(const Core& core)
     double squared = 0;
     for (int k = 0; k < core.count; ++k)
         squared = std::max(squared, norm_squared(core.points[k]));
-    return std::sqrt(squared) * (1 + 0x1p-50); // rounded up
+    return std::sqrt(squared) * (1 + tolerance::holding_slack);
 }
 
 template <class Part> Mover<Part> started(const Part& local, const Motion& motion)

@@ -64,8 +64,15 @@ struct Polygon {
     XYZ<Two> edges(int i) const { return pair(edge(i), edge(i + 1)); }
 };
 
+/// Where a point meets a grown polygon first.
+struct PolygonEntry {
+    Entry entry;
+    int edge = -1;    // met between its ends, or at one of them; -1: the face
+    double along = 0; // where on that edge, 0 to 1
+};
+
 /// Against the outline: the least over its edges and the balls at its corners.
-static inline Entry outline_entry(const Polygon& p, V3 from, V3 by, double radius)
+static inline PolygonEntry outline_entry(const Polygon& p, V3 from, V3 by, double radius)
 {
     double side[4], along[4], ball[4];
     for (int i = 0; i < 4; i += 2) {
@@ -85,11 +92,12 @@ static inline Entry outline_entry(const Polygon& p, V3 from, V3 by, double radiu
     }
     const bool on_side = side[first_side] <= ball[first_ball];
     const double t = on_side ? side[first_side] : ball[first_ball];
-    if (t == 0 || t == infinity) return {.t = t};
+    if (t == 0 || t == infinity) return {{.t = t}};
     const V3 at = from + t * by;
-    if (!on_side) return {t, at, p.corner[first_ball], by, false};
+    if (!on_side) return {{t, at, p.corner[first_ball], by, false}, first_ball, 0};
     const V3 edge = p.edge(first_side);
-    return {t, at, p.corner[first_side] + along[first_side] * edge, across_edge(by, edge), false};
+    const V3 met = p.corner[first_side] + along[first_side] * edge;
+    return {{t, at, met, across_edge(by, edge), false}, first_side, along[first_side]};
 }
 
 /// Whether the path's straight line passes a ball.
@@ -116,9 +124,9 @@ static inline bool inside(const Polygon& p, V3 at, double margin)
 
 /// Against the filled polygon. The path enters the slab of points within `radius` of its plane; over the
 /// polygon that is contact, elsewhere only the outline can be met.
-static inline Entry polygon_entry(const Polygon& p, V3 from, V3 by, double radius)
+static inline PolygonEntry polygon_entry(const Polygon& p, V3 from, V3 by, double radius)
 {
-    if (passes(from, by, p.centre, (p.reach + radius) * (1 + 0x1p-40))) return {};
+    if (passes(from, by, p.centre, (p.reach + radius) * (1 + tolerance::holding_slack))) return {};
     const double length_squared = norm_squared(p.normal), length = std::sqrt(length_squared);
     const double height = dot(p.normal, from - p.corner[0]), side = height < 0 ? -1 : 1;
     const double above = side * height - radius * length, climb = side * dot(p.normal, by);
@@ -130,7 +138,7 @@ static inline Entry polygon_entry(const Polygon& p, V3 from, V3 by, double radiu
     if (!(length > 0) || !inside(p, at, tolerance::core_noise * length * scale))
         return outline_entry(p, from, by, radius);
     const double lift = dot(p.normal, at - p.corner[0]) / length_squared;
-    return {t, at, at - lift * p.normal, -side * p.normal, true};
+    return {{t, at, at - lift * p.normal, -side * p.normal, true}};
 }
 
 } // namespace brink

@@ -9,19 +9,21 @@ namespace brink {
 namespace {
 
 /// One coordinate of the path against the slab |x| <= half, mirrored so that the point moves towards +x. One
-/// that stands still divides by zero into the right infinities; comparisons with the NaN of its border say
-/// inside.
+/// that stands still has infinite steps per length, which lead to the right infinities; comparisons with the
+/// NaN of a start on the border say inside.
 struct Slab {
     double from, by; // by >= 0
     double half;
+    double pace;    // 1 / by
     double in, out; // when the point enters and leaves the slab
 
     Slab(double start, double step, double half_extent)
         : from(step < 0 ? -start : start),
           by(std::fabs(step)),
           half(half_extent),
-          in((-half - from) / by),
-          out((half - from) / by)
+          pace(1 / by),
+          in((-half - from) * pace),
+          out((half - from) * pace)
     {
     }
 };
@@ -36,11 +38,20 @@ Stay grown(const Slab (&s)[3], double radius)
     Stay stay;
     for (const Slab& axis : s) {
         const double reach = axis.half + radius;
-        const double in = (-reach - axis.from) / axis.by, out = (reach - axis.from) / axis.by;
+        const double in = (-reach - axis.from) * axis.pace, out = (reach - axis.from) * axis.pace;
         stay.in = in > stay.in ? in : stay.in;
         stay.out = out < stay.out ? out : stay.out;
     }
     return stay;
+}
+
+/// Whether the point at the time it enters the grown box is outside of one slab only: it has reached a face.
+bool over_face(const Slab (&s)[3], double t)
+{
+    int outside = 0;
+    for (const Slab& axis : s)
+        outside += (t < axis.in) | (t >= axis.out);
+    return outside == 1;
 }
 
 /// How far a coordinate lies outside its slab from time t on, until that changes: offset + t * by.
@@ -63,12 +74,14 @@ double first_contact(const Slab (&s)[3], double radius)
 {
     const Stay stay = grown(s, radius);
     double t = stay.in;
+    if (t > 0 && t <= stay.out && over_face(s, t)) return t;
     while (t <= stay.out) {
         const Excess x = excess(s[0], t), y = excess(s[1], t), z = excess(s[2], t);
         const V3 offset{x.offset, y.offset, z.offset}, by{x.by, y.by, z.by};
         const V3 now = offset + t * by;
-        if (norm_squared(now) <= radius * radius) return t;
-        if (dot(now, by) >= 0) return infinity;
+        const double c = norm_squared(now) - radius * radius, closing = -dot(now, by);
+        if (c <= 0) return t;
+        if (closing <= 0) return infinity;
         const double next = std::min({next_change(s[0], t), next_change(s[1], t), next_change(s[2], t)});
         const double root = ray_ball(offset, by, radius);
         if (root <= next) return std::max(root, t);

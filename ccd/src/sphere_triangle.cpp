@@ -19,7 +19,7 @@ Entry sphere_triangle(const Sphere& a, const Triangle& b, const Approach& m)
                            turn * careful_cross(edge_b, edge_c),
                            centre,
                            std::sqrt(reach_squared)};
-    return polygon_entry(triangle, m.from, m.by, a.radius + m.target_gap);
+    return polygon_entry(triangle, m.from, m.by, a.radius + m.target_gap).entry;
 }
 
 } // namespace brink

@@ -73,15 +73,25 @@ std::uint64_t any_bit(const Vec3& v)
     return (bits(c[0]) | bits(c[1]) | bits(c[2])) << 1U;
 }
 
-/// Whether a body is seen at a glance to translate only, and to be valid but for lengths that are not finite.
-bool translates(const Sphere& s, const Motion& m)
+/// What a shape's own check asks besides finite lengths.
+bool sized(const Sphere& s) { return up_to(tolerance::largest_extent, s.radius); }
+bool sized(const Capsule& s) { return up_to(tolerance::largest_extent, s.radius); }
+bool sized(const Triangle&) { return true; }
+bool sized(const Box& s)
 {
-    return up_to(tolerance::largest_extent, s.radius) & (any_bit(m.pivot) == 0) &
-           (sum(m.rotation) <= largest_rotation);
+    constexpr double most = tolerance::largest_extent;
+    return up_to(most, s.half_extents.x()) & up_to(most, s.half_extents.y()) &
+           up_to(most, s.half_extents.z());
 }
+template <class Shape> bool sized(const Shape& s) { return brink::valid(s); }
+
+/// Whether a body is seen at a glance to translate only, and to be valid but for lengths that are not finite.
 template <class Shape> [[gnu::always_inline]] inline bool translates(const Shape& s, const Motion& m)
 {
-    return brink::valid(s) & brink::valid(m.start.orientation) & (any_bit(m.rotation) == 0);
+    if constexpr (std::is_same_v<Shape, Sphere>)
+        return sized(s) & (any_bit(m.pivot) == 0) & (sum(m.rotation) <= largest_rotation);
+    else
+        return sized(s) & brink::valid(m.start.orientation) & (any_bit(m.rotation) == 0);
 }
 bool usual(const Options& o)
 {

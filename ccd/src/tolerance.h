@@ -24,6 +24,23 @@ inline constexpr double least_slack = 5 * unit_roundoff;
 /// quadratic's discriminant and root are those of a ball and a path that differ by a few roundings of these.
 inline constexpr double clip_slack = 64 * unit_roundoff;
 
+/// Squared sine of the angle between two segments below which a place on one no longer fixes that on the
+/// other: the rounding of their cross product, 2^-53, then moves it by 2^-43.
+inline constexpr double nearly_parallel = 1e-6;
+
+/// A ball that is to hold a shape grows by this part of its radius: many roundings of it.
+inline constexpr double holding_slack = 0x1p-40;
+
+/// What Motion::at may be off by, as documented with it, four times over (of the lengths and arcs of the
+/// motion).
+inline constexpr double pose_rounding = 0x1p-46;
+
+/// A bound moved outwards by this part of itself has outrun the few roundings of its sums.
+inline constexpr double outwards = 0x1p-50;
+
+/// A step shortened by this factor has outrun the rounding of its own root.
+inline constexpr double step_shrink = 1 - 0x1p-51;
+
 /// A difference of squares below this part of them has lost four bits or more to cancellation: it is taken
 /// again with the rounding errors of its terms. Above, it is right to 16 times a few roundings.
 inline constexpr double cancelled = 1.0 / 16;
