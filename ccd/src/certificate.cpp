@@ -128,14 +128,55 @@ double first_order(const Facing& f, double horizon)
     return rate * horizon <= f.gap ? horizon : f.gap / rate * tolerance::step_shrink;
 }
 
-/// The best step over the axes worth turning: at rest, glued to A, glued to B. A plane's normal stays with
-/// it.
+/// The edge of a body that lies in its supporting plane, if one does and no face.
+struct Edge {
+    bool found = false;
+    V3 direction; // unit
+};
+
+Edge edge_across(const Turning& body, V3 axis, double side)
+{
+    int nearest = 0;
+    for (int k = 1; k < body.count; ++k)
+        if (side * dot(axis, body.points[k]) > side * dot(axis, body.points[nearest])) nearest = k;
+    Edge edge;
+    for (int k = 0; k < body.count; ++k) {
+        const V3 along = body.points[k] - body.points[nearest];
+        const double length = norm(along);
+        if (!(length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length)) continue;
+        if (edge.found) return {};
+        edge = {true, (1 / length) * along};
+    }
+    return edge;
+}
+
+/// The rate at which the common normal of what touches really turns, where an edge takes part: a normal at
+/// right angles to edge e of a body that turns with w changes by eta with eta . e = -n . (w x e).
+V3 following_edges(const Facing& f)
+{
+    const Edge e = edge_across(f.a, f.axis, 1), g = edge_across(f.b, f.axis, -1);
+    const double along_e = -dot(f.axis, cross(f.a.rate, e.direction));
+    const double along_g = -dot(f.axis, cross(f.b.rate, g.direction));
+    if (e.found && g.found) {
+        const double cosine = dot(e.direction, g.direction), rest = 1 - cosine * cosine;
+        if (rest < tolerance::nearly_parallel) return {};
+        const V3 eta = ((along_e - cosine * along_g) / rest) * e.direction +
+                       ((along_g - cosine * along_e) / rest) * g.direction;
+        return cross(f.axis, eta);
+    }
+    if (e.found) return along_e * cross(f.axis, e.direction);
+    if (g.found) return along_g * cross(f.axis, g.direction);
+    return {};
+}
+
+/// The best step over the axes worth turning: at rest, glued to A, glued to B, and following the edges that
+/// touch. A plane's normal stays with it. Any rate is valid; the right one makes the steps converge.
 template <class Step> double best(const Facing& f, double horizon, Step step)
 {
     if (f.b.count == 0) return step(f, f.b.rate, horizon);
     double h = step(f, V3{}, horizon);
-    if (!(f.a.rate == V3{}) && h < horizon) h = std::max(h, step(f, f.a.rate, horizon));
-    if (!(f.b.rate == V3{}) && h < horizon) h = std::max(h, step(f, f.b.rate, horizon));
+    for (const V3 spin : {f.a.rate, f.b.rate, following_edges(f)})
+        if (!(spin == V3{}) && h < horizon) h = std::max(h, step(f, spin, horizon));
     return h;
 }
 

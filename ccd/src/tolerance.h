@@ -31,6 +31,10 @@ inline constexpr double nearly_parallel = 1e-6;
 /// A ball that is to hold a shape grows by this part of its radius: many roundings of it.
 inline constexpr double holding_slack = 0x1p-40;
 
+/// How flat in a supporting plane an edge lies that may be touching (sine of the angle): a guess, which no
+/// answer's validity rests on.
+inline constexpr double flat_edge = 1e-3;
+
 /// What Motion::at may be off by, as documented with it, four times over (of the lengths and arcs of the
 /// motion).
 inline constexpr double pose_rounding = 0x1p-46;
