@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace brink;
 using support::moving;
 using support::resting;
@@ -30,8 +32,9 @@ TEST_CASE("capsule-capsule: side by side, end to end, end against side")
     CHECK(time_of_impact(along_x, ahead, along_x, resting()).t == 0.5);
     const Motion end_on = moving(Vec3(0, 6.75, 0), Vec3(0, -8, 0));
     CHECK(time_of_impact(along_y, end_on, along_x, resting()).t == 0.5);
-    CHECK(time_of_impact(along_x, moving(Vec3(5 + 0x1p-40, 5, 0), Vec3(0, -9, 0)), along_x, resting()).status ==
-          Status::separated);
+    CHECK(
+        time_of_impact(along_x, moving(Vec3(5 + 0x1p-40, 5, 0), Vec3(0, -9, 0)), along_x, resting()).status ==
+        Status::separated);
 }
 
 TEST_CASE("capsule-capsule: without radius, two segments cross and their normal is that of both")
@@ -47,4 +50,17 @@ TEST_CASE("capsule-capsule: nearly parallel")
     const Capsule tilted{Vec3(-2, 0, 1e-9), Vec3(2, 0, -1e-9), 0.5};
     const Toi toi = time_of_impact(tilted, moving(Vec3(0, 0, 5), Vec3(0, 0, -8)), along_x, resting());
     CHECK(toi.t == doctest::Approx((4 - 1e-9) / 8).epsilon(1e-14));
+}
+
+TEST_CASE(
+    "capsule-capsule: nearly parallel, one just past the other's end, is not met over the tip of a sliver")
+{
+    const double past = 0.01; // beyond the end, so the rounded end is met: 1^2 = past^2 + height^2
+    for (double tilt = 1e-17; tilt < 1e-6; tilt *= 3) {
+        const Capsule tilted{Vec3(-2, -tilt, 0), Vec3(2, tilt, 0), 0.5};
+        const Toi toi =
+            time_of_impact(tilted, moving(Vec3(4 + past, 0, 5), Vec3(0, 0, -8)), along_x, resting());
+        CAPTURE(tilt);
+        CHECK(toi.t == doctest::Approx((5 - std::sqrt(1 - past * past)) / 8).epsilon(1e-12));
+    }
 }

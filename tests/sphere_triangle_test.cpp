@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace brink;
 using support::moving;
 using support::resting;
@@ -52,4 +54,15 @@ TEST_CASE("sphere-triangle: degenerate to a segment and to a point")
     CHECK(ask(Vec3(5, 0, 1), Vec3(-8, 0, 0), 1, segment).t == 0.5);
     CHECK(ask(Vec3(5, 0, 0), Vec3(-8, 0, 0), 1, point).t == 0.5);
     CHECK(ask(Vec3(5, 2, 0), Vec3(-8, 0, 0), 1, point).status == Status::separated);
+}
+
+TEST_CASE("sphere-triangle: just past the tip of a needle")
+{
+    const double past = 0.01;
+    for (double width = 1e-17; width < 1e-6; width *= 3) {
+        const Triangle needle{Vec3(-2, 0, 0), Vec3(2, 0, 0), Vec3(0.3, width, 0)};
+        const Toi toi = ask(Vec3(2 + past, 0, 5), Vec3(0, 0, -8), 1, needle);
+        CAPTURE(width);
+        CHECK(toi.t == doctest::Approx((5 - std::sqrt(1 - past * past)) / 8).epsilon(1e-12));
+    }
 }
