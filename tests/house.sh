@@ -50,6 +50,7 @@ find_in() { # <header> <folder>...: sets `found`, the folders that have it
 }
 while IFS=: read -r file mark header; do
     checked=$((checked + 1))
+    [[ $header != *..* ]] || breach "$file" "includes $header: climbs out of its folder"
     if [[ $mark = "<" || ! -e ${file%/*}/$header ]]; then
         reach "$file"
         find_in "$header" $reach

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "query.h"
 #include "support/query.h"
+#include "toi_query.h"
 
 #include <doctest/doctest.h>
 

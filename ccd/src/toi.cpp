@@ -3,7 +3,7 @@
 
 #include "advance.h"
 #include "pairs.h"
-#include "query.h"
+#include "toi_query.h"
 #include "tolerance.h"
 #include "valid_motion.h"
 

@@ -12,11 +12,12 @@ namespace brink {
 struct Motion {
     Pose start{};
     Vec3 translation{0, 0, 0}; // of the pivot, over the whole step; scene length units
-    Vec3 rotation{0, 0, 0};    // rotation vector over the whole step: world axis * angle in radians, up to 2^20
-    Vec3 pivot{0, 0, 0};       // local point that moves in a straight line (the centre of mass)
+    Vec3 rotation{0, 0, 0}; // rotation vector over the whole step: world axis * angle in radians, up to 2^20
+    Vec3 pivot{0, 0, 0};    // local point that moves in a straight line (the centre of mass)
 
     /// The pose at time t: the rounding of the exact motion, each coordinate of the position off by at most
-    /// 16 eps (|start.position| + |translation| + (1 + |rotation|) |pivot|), the orientation by 8 eps (1 + |rotation|).
+    /// 16 eps (|start.position| + |translation| + (1 + |rotation|) |pivot|), the orientation by 8 eps (1 +
+    /// |rotation|).
     Pose at(double t) const;
     static Motion still(const Pose&);
     /// From one pose to another by the shorter turn about `pivot` (local).

@@ -21,16 +21,17 @@ enum class Detail : unsigned char {
 };
 
 struct Options {
-    double t_max = 1;         // look no further; in [0, 1]
-    double target_gap = 0;    // count as contact when the shapes come this near (minimum separation); >= 0
-    double tolerance = 1e-9;  // scene length unit, >= 0: how near counts as there, where no closed form decides
+    double t_max = 1;      // look no further; in [0, 1]
+    double target_gap = 0; // count as contact when the shapes come this near (minimum separation); >= 0
+    double tolerance =
+        1e-9; // scene length unit, >= 0: how near counts as there, where no closed form decides
     StartContact start_contact = StartContact::report;
     Detail detail = Detail::contact;
     int max_iterations = 256; // distance evaluations; at least 1
 };
 
-/// When two moving shapes first touch. Whatever the status, the shapes are apart before t: a caller that moves
-/// both bodies to t cannot tunnel.
+/// When two moving shapes first touch. Whatever the status, the shapes are apart before t: a caller that
+/// moves both bodies to t cannot tunnel.
 struct Toi {
     /// invalid: t = 0. separated: no contact in [0, t_max], t = t_max. touching: contact at t = 0.
     /// hit: first contact in [t, t_upper]. undecided: proven apart before t, nothing known after it.
@@ -42,7 +43,7 @@ struct Toi {
     Vec3 point_a{0, 0, 0}; // on A, world
     Vec3 point_b{0, 0, 0}; // on B, world: point_b - point_a = gap * normal
     double gap = std::numeric_limits<double>::quiet_NaN(); // signed distance; scene length unit
-    int iterations = 0;    // distance evaluations spent; 0 for a closed form
+    int iterations = 0;                                    // distance evaluations spent; 0 for a closed form
 };
 
 /// First time in [0, t_max] at which the gap between the two moving shapes is at most target_gap.
