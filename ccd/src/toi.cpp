@@ -2,103 +2,19 @@
 #include <brink/toi.h>
 
 #include "advance.h"
+#include "glance.h"
 #include "pairs.h"
-#include "toi_query.h"
 #include "tolerance.h"
-#include "valid_motion.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <type_traits>
 
 namespace brink {
 
 namespace {
-
-/// The shape that the table's row or column says it is.
-template <class Shape> const Shape& as(const brink::Shape& shape)
-{
-    const Shape* s = std::get_if<Shape>(&shape);
-    if (!s) __builtin_unreachable();
-    return *s;
-}
-
-bool valid(const Options& o)
-{
-    return o.t_max >= 0 && o.t_max <= 1 && is_size(o.target_gap) && is_size(o.tolerance) &&
-           o.max_iterations >= 1 && o.start_contact <= StartContact::ignore && o.detail <= Detail::time_only;
-}
-
-template <class A, class B> bool valid(const Query& q)
-{
-    return valid(q.options) && valid(as<A>(q.a), q.motion_a) && valid(as<B>(q.b), q.motion_b);
-}
-
-double radius(const Sphere& s) { return s.radius; }
-double radius(const Capsule& s) { return s.radius; }
-template <class Shape> double radius(const Shape&) { return 0; }
-
-double sum(const Vec3& v) { return sum_of_magnitudes(load(v)); }
-double size(const Sphere& s) { return s.radius; }
-double size(const Capsule& s) { return sum(s.a) + sum(s.b) + s.radius; }
-double size(const Box& s) { return sum(s.half_extents); }
-double size(const Triangle& s) { return sum(s.a) + sum(s.b) + sum(s.c); }
-double size(const Plane& s) { return std::fabs(s.offset); }
-double size(const HalfSpace& s) { return std::fabs(s.offset); }
-
-/// The lengths of a valid query, added up. Products of four stay far from overflow below `largest_extent`; a
-/// sum that is not says nothing about which one is to blame, or that one is not finite.
-template <class A, class B> double lengths(const Query& q, const Approach& m)
-{
-    return sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + sum(q.motion_a.pivot) +
-           sum(q.motion_b.pivot) + size(as<A>(q.a)) + size(as<B>(q.b)) + m.target_gap;
-}
-
-/// Not negative (nor -0), not NaN and at most `most`: one comparison, because such doubles sort like their
-/// bits.
-bool up_to(double most, double x)
-{
-    return std::bit_cast<std::uint64_t>(x) <= std::bit_cast<std::uint64_t>(most);
-}
-/// Nonzero in some bit but the sign.
-std::uint64_t any_bit(const Vec3& v)
-{
-    const double* c = v.data();
-    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-    return (bits(c[0]) | bits(c[1]) | bits(c[2])) << 1U;
-}
-
-/// What a shape's own check asks besides finite lengths.
-bool sized(const Sphere& s) { return up_to(tolerance::largest_extent, s.radius); }
-bool sized(const Capsule& s) { return up_to(tolerance::largest_extent, s.radius); }
-bool sized(const Triangle&) { return true; }
-bool sized(const Box& s)
-{
-    constexpr double most = tolerance::largest_extent;
-    return up_to(most, s.half_extents.x()) & up_to(most, s.half_extents.y()) &
-           up_to(most, s.half_extents.z());
-}
-template <class Shape> bool sized(const Shape& s) { return brink::valid(s); }
-
-/// Whether a body is seen at a glance to translate only, and to be valid but for lengths that are not finite.
-template <class Shape> [[gnu::always_inline]] inline bool translates(const Shape& s, const Motion& m)
-{
-    if constexpr (std::is_same_v<Shape, Sphere>)
-        return sized(s) & (any_bit(m.pivot) == 0) & (sum(m.rotation) <= largest_rotation);
-    else
-        return sized(s) & brink::valid(m.start.orientation) & (any_bit(m.rotation) == 0);
-}
-bool usual(const Options& o)
-{
-    return up_to(1, o.t_max) & up_to(tolerance::largest_extent, o.target_gap) &
-           up_to(tolerance::largest_extent, o.tolerance) & (o.max_iterations >= 1) &
-           (o.start_contact <= StartContact::ignore) & (o.detail <= Detail::time_only);
-}
 
 [[gnu::always_inline]] inline Approach approach(const Query& q)
 {
@@ -192,7 +108,7 @@ template <Solver solver>
 Toi swapped(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
             const Options& options)
 {
-    return flipped(solver(b, motion_b, a, motion_a, options));
+    return flipped(solver(b, motion_b, a, motion_a, options)); // NOLINT(readability-suspicious-call-argument)
 }
 
 /// One pair of the table. The types keep every solver in its row and column.

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "approach.h"
+#include "toi_query.h"
+#include "tolerance.h"
+#include "valid_motion.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <type_traits>
+
+/// What is looked at before a query is answered: all of it with care, or the usual case at a glance.
+namespace brink {
+
+/// The shape that the table's row or column says it is.
+template <class Shape> static inline const Shape& as(const brink::Shape& shape)
+{
+    const Shape* s = std::get_if<Shape>(&shape);
+    if (!s) __builtin_unreachable();
+    return *s;
+}
+
+static inline bool valid(const Options& o)
+{
+    return o.t_max >= 0 && o.t_max <= 1 && is_size(o.target_gap) && is_size(o.tolerance) &&
+           o.max_iterations >= 1 && o.start_contact <= StartContact::ignore && o.detail <= Detail::time_only;
+}
+
+template <class A, class B> static inline bool valid(const Query& q)
+{
+    return valid(q.options) && valid(as<A>(q.a), q.motion_a) && valid(as<B>(q.b), q.motion_b);
+}
+
+static inline double radius(const Sphere& s) { return s.radius; }
+static inline double radius(const Capsule& s) { return s.radius; }
+template <class Shape> static inline double radius(const Shape&) { return 0; }
+
+static inline double sum(const Vec3& v) { return sum_of_magnitudes(load(v)); }
+static inline double size(const Sphere& s) { return s.radius; }
+static inline double size(const Capsule& s) { return sum(s.a) + sum(s.b) + s.radius; }
+static inline double size(const Box& s) { return sum(s.half_extents); }
+static inline double size(const Triangle& s) { return sum(s.a) + sum(s.b) + sum(s.c); }
+static inline double size(const Plane& s) { return std::fabs(s.offset); }
+static inline double size(const HalfSpace& s) { return std::fabs(s.offset); }
+
+/// The lengths of a valid query, added up. Products of four stay far from overflow below `largest_extent`; a
+/// sum that is not says nothing about which one is to blame, or that one is not finite.
+template <class A, class B> static inline double lengths(const Query& q, const Approach& m)
+{
+    return sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + sum(q.motion_a.pivot) +
+           sum(q.motion_b.pivot) + size(as<A>(q.a)) + size(as<B>(q.b)) + m.target_gap;
+}
+
+/// Not negative (nor -0), not NaN and at most `most`: one comparison, because such doubles sort like their
+/// bits.
+static inline bool up_to(double most, double x)
+{
+    return std::bit_cast<std::uint64_t>(x) <= std::bit_cast<std::uint64_t>(most);
+}
+/// Nonzero in some bit but the sign.
+static inline std::uint64_t any_bit(const Vec3& v)
+{
+    const double* c = v.data();
+    const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+    return (bits(c[0]) | bits(c[1]) | bits(c[2])) << 1U;
+}
+
+/// What a shape's own check asks besides finite lengths.
+static inline bool sized(const Sphere& s) { return up_to(tolerance::largest_extent, s.radius); }
+static inline bool sized(const Capsule& s) { return up_to(tolerance::largest_extent, s.radius); }
+static inline bool sized(const Triangle&) { return true; }
+static inline bool sized(const Box& s)
+{
+    constexpr double most = tolerance::largest_extent;
+    return up_to(most, s.half_extents.x()) & up_to(most, s.half_extents.y()) &
+           up_to(most, s.half_extents.z());
+}
+template <class Shape> static inline bool sized(const Shape& s) { return valid(s); }
+
+/// Whether a body is seen at a glance to translate only, and to be valid but for lengths that are not finite.
+template <class Shape> [[gnu::always_inline]] static inline bool translates(const Shape& s, const Motion& m)
+{
+    if constexpr (std::is_same_v<Shape, Sphere>)
+        return sized(s) & (any_bit(m.pivot) == 0) & (sum(m.rotation) <= largest_rotation);
+    else
+        return sized(s) & valid(m.start.orientation) & (any_bit(m.rotation) == 0);
+}
+static inline bool usual(const Options& o)
+{
+    return up_to(1, o.t_max) & up_to(tolerance::largest_extent, o.target_gap) &
+           up_to(tolerance::largest_extent, o.tolerance) & (o.max_iterations >= 1) &
+           (o.start_contact <= StartContact::ignore) & (o.detail <= Detail::time_only);
+}
+
+} // namespace brink
