@@ -110,3 +110,41 @@ TEST_CASE("regression: an edge that leaves the side of a capsule while it turns 
                Vec3(-0x1.38c656a72a80ep-3, -0x1.34920e40add44p-2, 0x1.8f54c4df799aep-2)},
         Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: contact at the start that parts, comes back a little and parts again")
+{
+    // Was `separated`: steps so long that the gap could rise and fall again within one.
+    check(Query{
+        Box{Vec3(0x1.69f05c8ec25eap-1, 0x1.cdb44e8d05551p-1, 0x1.0cf9406121f6ep-1)},
+        Motion{Pose{Vec3(-0x1.d12f3a6fac205p-2, 0x1.493fc760725bp-5, 0x1.1e61a8b2c6cbp+0),
+                    Quat(-0x1.a0c878819ead5p-1, -0x1.6a4757adfb24bp-4, 0x1.0e66ae431d5aep-1,
+                         0x1.ccc102cf71be1p-3)},
+               Vec3(0x1.1adf5b96ef15p-3, -0x1.9eacc83e02bbbp+0, -0x1.3bcea42d5662dp-1), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Box{Vec3(0x1.09305e1a132ap+0, 0x1.1dcf3126e01f4p-3, 0x1.5717b5a787969p-2)},
+        Motion{Pose{Vec3(-0x1.c1bff2a1a4bap-3, -0x1.753a52c2e84ap-3, 0x1.7a4452e96ac74p-1), Quat(1, 0, 0, 0)},
+               Vec3(-0x1.a1c60cb87dabcp-1, -0x1.7c3abd9edcda5p+0, -0x1.d3d11fc74c2f9p-1),
+               Vec3(0x1.04760f124f614p-4, 0x1.894e9c2157602p-3, -0x1.6096942582f2p-1),
+               Vec3(0x1.543dbde7f67cp-4, -0x1.9c9da70600478p-4, -0x1.85ad9a2c49f14p-2)},
+        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating, Detail::contact, 256}});
+}
+
+TEST_CASE("regression: an edge leaves the rim of a face whose plane it crosses elsewhere")
+{
+    // Was `hit` at 0: the face's own normal does not show that they part.
+    check(Query{Triangle{Vec3(-0x1.f2281d6cd93dap-1, -0x1.122b998c171c8p-2, 0x1.1c98ba674539ap-1),
+                         Vec3(0x1.50cbcf35b3e14p-2, 0x1.27e0eb1c0c847p+0, -0x1.e6e6df0551538p-1),
+                         Vec3(0x1.486dba349519ep-3, 0x1.f1a87995b818ap-1, -0x1.831b25c49d12p-1)},
+                Motion{Pose{Vec3(-0x1.6c113422a24eap-2, 0x1.5203bc88c898p-8, -0x1.6c3c18a91dfadp-2),
+                            Quat(0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1, 0, 0)},
+                       Vec3(0x1.978fdd83c5101p+0, 0x1.68404645882ebp+2, -0x1.01ec4a94a1cf8p+2), Vec3(0, 0, 0),
+                       Vec3(0, 0, 0)},
+                Triangle{Vec3(-0x1.d6ac96dd7ff3p-4, -0x1.3dbdb5c67ca0ep+0, -0x1.234b9912109f6p-1),
+                         Vec3(-0x1.2c2f69efae4b9p-1, 0x1.a012719908af8p-3, 0x1.4137f2a2fd5f8p-1),
+                         Vec3(-0x1.6ed02fe3d1dbbp-1, 0x1.342a9fc218077p-1, 0x1.ea4f93a8b2017p-1)},
+                Motion{Pose{Vec3(0, 0, 0), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0),
+                       Vec3(0x1.6ee97d176272cp+3, -0x1.3e59a03342b44p+3, 0x1.d23de44f8a325p+0),
+                       Vec3(-0x1.42b9328b87cd8p-3, -0x1.21d44f5d1c33dp-1, 0x1.12e7f206e8b2cp-2)},
+                Options{1, 0x1.99edba2a42926p-2, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating,
+                        Detail::contact, 256}});
+}

@@ -171,15 +171,17 @@ template <class Part> Toi Advance<Part>::translate_away() const
     return options_.start_contact == StartContact::ignore || parting ? separated() : answer(Status::touching);
 }
 
-/// A step from a pose within the tolerance of contact, over which the gap provably does not fall: 0 if none
-/// is proven that could be told from standing still. From deeper down it also ends before the gap can reach
-/// the target, lest it pass over a time of separation and the contact after it.
+/// A step from a pose within the tolerance of contact, over which the gap provably does not fall below what
+/// it is: 0 if none is proven that could be told from standing still. From deeper down it also ends before
+/// the gap can reach the target, lest it pass over a time of separation and the contact after it; where it
+/// must not fall at all, at a quarter of that, so that poses are looked at often enough to see it fall again.
 template <class Part> double Advance<Part>::step_away() const
 {
-    const double least = tolerance_ / fastest_, deepest = -now_.gap / fastest_;
+    const double share = options_.start_contact == StartContact::ignore ? 1 : 0.25;
+    const double least = tolerance_ / fastest_, shallow = share * -now_.gap / fastest_;
     const double rising = rising_step(facing(), window_.end - t_);
     if (!(rising >= least)) return 0;
-    return now_.gap < -tolerance_ ? std::min(rising, deepest) : rising;
+    return now_.gap < -tolerance_ ? std::min(rising, shallow) : rising;
 }
 
 /// From a start in contact, or within the tolerance of it, to where the gap exceeds the tolerance: by steps
@@ -188,7 +190,11 @@ template <class Part> double Advance<Part>::step_away() const
 /// depend.
 template <class Part> std::optional<Toi> Advance<Part>::leave()
 {
-    const Advance start = *this;
+    const auto touching = [this, start = *this] {
+        Toi toi = start.answer(Status::touching);
+        toi.iterations = iterations_;
+        return toi;
+    };
     const bool blind = options_.start_contact == StartContact::ignore;
     bool apart = false;
     while (now_.gap <= tolerance_) {
@@ -196,13 +202,13 @@ template <class Part> std::optional<Toi> Advance<Part>::leave()
         double step = step_away();
         if (step == 0) {
             if (apart) return t_ > options_.t_max ? separated() : answer(Status::hit);
-            if (!blind) return start.answer(Status::touching);
+            if (!blind) return touching();
             step = std::max(-now_.gap, tolerance_) / fastest_;
         }
         const std::optional<Toi> end = move(step, blind ? options_.t_max : 1);
         if (!end) continue;
         if (apart && end->t > options_.t_max) return separated();
-        return end->status == Status::separated || blind || apart ? end : start.answer(Status::touching);
+        return end->status == Status::separated || blind || apart ? end : touching();
     }
     if (t_ > options_.t_max) return separated();
     return {};

@@ -128,55 +128,60 @@ double first_order(const Facing& f, double horizon)
     return rate * horizon <= f.gap ? horizon : f.gap / rate * tolerance::step_shrink;
 }
 
-/// The edge of a body that lies in its supporting plane, if one does and no face.
-struct Edge {
-    bool found = false;
-    V3 direction; // unit
+/// The edges of a body that lie in its supporting plane: one, or some of a face's. Without any, a zero stands
+/// for a corner.
+struct Edges {
+    int count = 0;
+    V3 direction[3]; // unit
 };
 
-Edge edge_across(const Turning& body, V3 axis, double side)
+Edges edges_across(const Turning& body, V3 axis, double side)
 {
     int nearest = 0;
     for (int k = 1; k < body.count; ++k)
         if (side * dot(axis, body.points[k]) > side * dot(axis, body.points[nearest])) nearest = k;
-    Edge edge;
-    for (int k = 0; k < body.count; ++k) {
-        const V3 along = body.points[k] - body.points[nearest];
+    Edges edges;
+    const auto add = [&](V3 along) {
         const double length = norm(along);
-        if (!(length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length)) continue;
-        if (edge.found) return {};
-        edge = {true, (1 / length) * along};
-    }
-    return edge;
+        if (length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length && edges.count < 3)
+            edges.direction[edges.count++] = (1 / length) * along;
+    };
+    for (int k = 0; k < body.count; ++k)
+        add(body.points[k] - body.points[nearest]);
+    if (body.count == 3 && edges.count == 2)
+        add(body.points[(nearest + 1) % 3] - body.points[(nearest + 2) % 3]);
+    return edges;
 }
 
-/// The rate at which the common normal of what touches really turns, where an edge takes part: a normal at
-/// right angles to edge e of a body that turns with w changes by eta with eta . e = -n . (w x e).
-V3 following_edges(const Facing& f)
+/// The rate at which the common normal of two edges really turns, or of an edge and a corner (a zero): a
+/// normal at right angles to edge e of a body that turns with w changes by eta with eta . e = -n . (w x e).
+V3 following(const Facing& f, V3 e, V3 g)
 {
-    const Edge e = edge_across(f.a, f.axis, 1), g = edge_across(f.b, f.axis, -1);
-    const double along_e = -dot(f.axis, cross(f.a.rate, e.direction));
-    const double along_g = -dot(f.axis, cross(f.b.rate, g.direction));
-    if (e.found && g.found) {
-        const double cosine = dot(e.direction, g.direction), rest = 1 - cosine * cosine;
-        if (rest < tolerance::nearly_parallel) return {};
-        const V3 eta = ((along_e - cosine * along_g) / rest) * e.direction +
-                       ((along_g - cosine * along_e) / rest) * g.direction;
-        return cross(f.axis, eta);
-    }
-    if (e.found) return along_e * cross(f.axis, e.direction);
-    if (g.found) return along_g * cross(f.axis, g.direction);
-    return {};
+    const double along_e = -dot(f.axis, cross(f.a.rate, e)), along_g = -dot(f.axis, cross(f.b.rate, g));
+    const double cosine = dot(e, g), rest = 1 - cosine * cosine;
+    if (rest < tolerance::nearly_parallel) return {};
+    const V3 eta = ((along_e - cosine * along_g) / rest) * e + ((along_g - cosine * along_e) / rest) * g;
+    return cross(f.axis, eta);
 }
 
 /// The best step over the axes worth turning: at rest, glued to A, glued to B, and following the edges that
-/// touch. A plane's normal stays with it. Any rate is valid; the right one makes the steps converge.
+/// touch; those of faces too where nothing else gets away from the spot. A plane's normal stays with it. Any
+/// rate is valid; the right one makes the steps converge.
 template <class Step> double best(const Facing& f, double horizon, Step step)
 {
     if (f.b.count == 0) return step(f, f.b.rate, horizon);
     double h = step(f, V3{}, horizon);
-    for (const V3 spin : {f.a.rate, f.b.rate, following_edges(f)})
+    const auto better = [&](V3 spin) {
         if (!(spin == V3{}) && h < horizon) h = std::max(h, step(f, spin, horizon));
+    };
+    better(f.a.rate);
+    better(f.b.rate);
+    const Edges of_a = edges_across(f.a, f.axis, 1), of_b = edges_across(f.b, f.axis, -1);
+    const bool faces = of_a.count > 1 || of_b.count > 1;
+    if (faces && h > tolerance::standstill * horizon) return h;
+    for (int i = 0; i < std::max(1, of_a.count); ++i)
+        for (int k = 0; k < std::max(1, of_b.count); ++k)
+            better(following(f, of_a.direction[i], of_b.direction[k]));
     return h;
 }
 

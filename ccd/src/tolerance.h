@@ -35,6 +35,9 @@ inline constexpr double holding_slack = 0x1p-40;
 /// answer's validity rests on.
 inline constexpr double flat_edge = 1e-3;
 
+/// The part of the time left below which a step is no step: more axes are tried, and nothing rests on it.
+inline constexpr double standstill = 1e-9;
+
 /// What Motion::at may be off by, as documented with it, four times over (of the lengths and arcs of the
 /// motion).
 inline constexpr double pose_rounding = 0x1p-46;
