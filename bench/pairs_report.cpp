@@ -124,7 +124,7 @@ std::string pairs_table(const std::vector<Timing>& timings)
 std::string rotating_table(const std::vector<Timing>& timings)
 {
     if (first_of(timings, "rotating") == timings.end()) return "";
-    std::string text = "Advancement (first order for now), rotation up to 60 degrees, ns, half hit\n";
+    std::string text = "Certified advancement, rotation up to 60 degrees, ns, half hit\n";
     text += fmt::format("{:<19} | {:>9} | {:>9} | {:>9}\n", "", "baseline", "v3", "FCL");
     for (const PairKind& kind : rotating_pairs()) {
         if (!find(timings, kind.name, "baseline", "rotating")) continue;
