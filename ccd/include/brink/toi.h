@@ -21,10 +21,9 @@ enum class Detail : unsigned char {
 };
 
 struct Options {
-    double t_max = 1;      // look no further; in [0, 1]
-    double target_gap = 0; // count as contact when the shapes come this near (minimum separation); >= 0
-    double tolerance =
-        1e-9; // scene length unit, >= 0: how near counts as there, where no closed form decides
+    double t_max = 1;        // look no further; in [0, 1]
+    double target_gap = 0;   // count as contact when the shapes come this near (minimum separation); >= 0
+    double tolerance = 1e-9; // length unit, >= 0: how near counts as there, where no closed form decides
     StartContact start_contact = StartContact::report;
     Detail detail = Detail::contact;
     int max_iterations = 256; // distance evaluations; at least 1
@@ -47,7 +46,8 @@ struct Toi {
 };
 
 /// First time in [0, t_max] at which the gap between the two moving shapes is at most target_gap.
-/// Never throws, allocates or prints; what is not a number or out of range is answered `invalid`.
+/// Never throws, allocates or prints; what is not a number or out of range is answered `invalid`, lengths
+/// that add up to 1e75 or more `undecided` at t = 0 with no contact described.
 Toi time_of_impact(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
                    const Options& options = {});
 
