@@ -53,6 +53,12 @@ template <class A, class B> static inline double lengths(const Query& q, const A
            sum(q.motion_b.pivot) + size(as<A>(q.a)) + size(as<B>(q.b)) + m.target_gap;
 }
 
+/// All of them, without a branch for each.
+template <class... Flag> static inline bool all(Flag... flags)
+{
+    return (static_cast<int>(flags) & ...) != 0;
+}
+
 /// Not negative (nor -0), not NaN and at most `most`: one comparison, because such doubles sort like their
 /// bits.
 static inline bool up_to(double most, double x)
@@ -74,8 +80,8 @@ static inline bool sized(const Triangle&) { return true; }
 static inline bool sized(const Box& s)
 {
     constexpr double most = tolerance::largest_extent;
-    return up_to(most, s.half_extents.x()) & up_to(most, s.half_extents.y()) &
-           up_to(most, s.half_extents.z());
+    return all(up_to(most, s.half_extents.x()), up_to(most, s.half_extents.y()),
+               up_to(most, s.half_extents.z()));
 }
 template <class Shape> static inline bool sized(const Shape& s) { return valid(s); }
 
@@ -83,15 +89,15 @@ template <class Shape> static inline bool sized(const Shape& s) { return valid(s
 template <class Shape> [[gnu::always_inline]] static inline bool translates(const Shape& s, const Motion& m)
 {
     if constexpr (std::is_same_v<Shape, Sphere>)
-        return sized(s) & (any_bit(m.pivot) == 0) & (sum(m.rotation) <= largest_rotation);
+        return all(sized(s), any_bit(m.pivot) == 0, sum(m.rotation) <= largest_rotation);
     else
-        return sized(s) & valid(m.start.orientation) & (any_bit(m.rotation) == 0);
+        return all(sized(s), valid(m.start.orientation), any_bit(m.rotation) == 0);
 }
 static inline bool usual(const Options& o)
 {
-    return up_to(1, o.t_max) & up_to(tolerance::largest_extent, o.target_gap) &
-           up_to(tolerance::largest_extent, o.tolerance) & (o.max_iterations >= 1) &
-           (o.start_contact <= StartContact::ignore) & (o.detail <= Detail::time_only);
+    return all(up_to(1, o.t_max), up_to(tolerance::largest_extent, o.target_gap),
+               up_to(tolerance::largest_extent, o.tolerance), o.max_iterations >= 1,
+               o.start_contact <= StartContact::ignore, o.detail <= Detail::time_only);
 }
 
 } // namespace brink

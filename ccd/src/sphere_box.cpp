@@ -62,7 +62,7 @@ struct Excess {
 Excess excess(const Slab& s, double t)
 {
     const bool before = t < s.in, after = t >= s.out;
-    return {before ? s.from + s.half : after ? s.from - s.half : 0, before | after ? s.by : 0};
+    return {before ? s.from + s.half : after ? s.from - s.half : 0, (before | after) ? s.by : 0};
 }
 
 double next_change(const Slab& s, double t) { return t < s.in ? s.in : t < s.out ? s.out : infinity; }

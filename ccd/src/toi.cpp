@@ -84,8 +84,8 @@ Toi solve_exactly(const Shape& a, const Motion& motion_a, const Shape& b, const 
 {
     const Query q{a, motion_a, b, motion_b, options};
     const Approach m = approach(q);
-    const bool clear = (lengths<A, B>(q, m) < tolerance::largest_extent) & usual(options) &
-                       translates(as<A>(a), motion_a) & translates(as<B>(b), motion_b);
+    const bool clear = all(lengths<A, B>(q, m) < tolerance::largest_extent, usual(options),
+                           translates(as<A>(a), motion_a), translates(as<B>(b), motion_b));
     return clear ? solve_translation<A, B, kernel>(q, m) : solve_with_care<A, B, kernel>(q);
 }
 

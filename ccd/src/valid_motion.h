@@ -14,7 +14,7 @@ static inline bool valid_path(const Motion& m)
 {
     const double probe = finite_probe(load(m.start.position)) + finite_probe(load(m.translation)) +
                          finite_probe(load(m.pivot));
-    return (probe == 0) & (norm_squared(load(m.rotation)) <= largest_rotation * largest_rotation);
+    return probe == 0 && norm_squared(load(m.rotation)) <= largest_rotation * largest_rotation;
 }
 
 /// Whether the body only translates whatever its rotation: a sphere on its pivot.
@@ -23,7 +23,7 @@ template <class Shape> bool on_pivot(const Shape&, const Motion&) { return false
 
 template <class Shape> bool valid(const Shape& shape, const Motion& m)
 {
-    return valid(shape) & valid_path(m) && (on_pivot(shape, m) || valid(m.start.orientation));
+    return valid(shape) && valid_path(m) && (on_pivot(shape, m) || valid(m.start.orientation));
 }
 
 /// Whether the body turns in a way that its shape shows.
