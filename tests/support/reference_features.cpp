@@ -17,7 +17,8 @@ struct Edge {
 struct Edges {
     std::array<Edge, 12> edge;
     std::size_t count = 0;
-    std::span<const Edge> all() const { return {edge.data(), count}; }
+    std::span<const Edge> all() const& { return {edge.data(), count}; }
+    std::span<const Edge> all() const&& = delete; // it would outlive the edges
 };
 
 /// A point counts as one edge of no length, so that edges alone reach every corner.
@@ -105,7 +106,8 @@ Real3 nearest_in_core(const Placed& s, const Real3& p)
     if (s.kind == Kind::box) return nearest_in_box(s, p);
     Nearest best;
     if (const auto foot = foot_on_triangle(s, p)) best.keep(p, *foot);
-    for (const Edge& e : edges(s).all())
+    const Edges around = edges(s);
+    for (const Edge& e : around.all())
         best.keep(p, nearest_on_edge(e, p));
     return best.on_b;
 }
