@@ -28,6 +28,10 @@ inline constexpr double clip_slack = 64 * unit_roundoff;
 /// other: the rounding of their cross product, 2^-53, then moves it by 2^-43.
 inline constexpr double nearly_parallel = 1e-6;
 
+/// Relative error of a root whose terms are exact but for their conversion to double: 2 u each, halved by the
+/// square root, and three operations.
+inline constexpr double exact_root = 8 * unit_roundoff;
+
 /// A ball that is to hold a shape grows by this part of its radius: many roundings of it.
 inline constexpr double holding_slack = 0x1p-40;
 
