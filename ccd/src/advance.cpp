@@ -69,7 +69,10 @@ Turning turning(const Border& part, const Mover<Border>& m, V3 axis)
 template <class Part> class Advance {
 public:
     Advance(const Mover<Core>& a, const Mover<Part>& b, const Options& options);
-    Toi run(Start start);
+    Toi run();
+    Toi from_contact();
+    bool proven_in_contact();
+    void describe(Toi& toi);
 
 private:
     struct Pose {
@@ -89,6 +92,8 @@ private:
     }
     Toi translate_away() const;
     std::optional<Toi> leave();
+    Toi leave_contact();
+    Toi go_on();
     Toi approach();
     std::optional<Toi> move(double step, double t_end);
     double step_away() const;
@@ -97,6 +102,7 @@ private:
     const Mover<Part>& b_;
     const Options& options_;
     V3 from_, velocity_; // of B's pivot, relative to A's
+    double rounding_;    // of a gap, at most
     double slack_;       // what rounding can take off a bound
     double tolerance_;   // how near counts as there
     double fastest_;     // no gap changes faster
@@ -119,7 +125,8 @@ Advance<Part>::Advance(const Mover<Core>& a, const Mover<Part>& b, const Options
     const double lengths =
         distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + options.target_gap;
     tolerance_ = std::max(options.tolerance, 2 * tolerance::least_slack * lengths);
-    slack_ = std::min(tolerance::certificate_slack * lengths, 0.5 * tolerance_);
+    rounding_ = tolerance::certificate_slack * lengths;
+    slack_ = std::min(rounding_, 0.5 * tolerance_);
     fastest_ = travel + a.turn.angle * a.reach + b.turn.angle * swing;
     window_ = meeting(a, b, from_, velocity_, options.target_gap + slack_);
 }
@@ -224,33 +231,89 @@ template <class Part> Toi Advance<Part>::approach()
     }
 }
 
-template <class Part> Toi Advance<Part>::run(Start start)
+/// In contact at the start.
+template <class Part> Toi Advance<Part>::leave_contact()
 {
-    if (start == Start::open) {
-        if (window_.empty || window_.begin > options_.t_max) return separated();
-        t_ = window_.begin;
-    }
-    now_ = pose();
-    if (t_ == 0 && (start == Start::in_contact || now_.gap <= 0)) {
-        if (options_.start_contact == StartContact::report) return answer(Status::touching);
-        if (a_.turn.angle == 0 && b_.turn.angle == 0) return translate_away();
-    }
+    if (options_.start_contact == StartContact::report) return answer(Status::touching);
+    if (a_.turn.angle == 0 && b_.turn.angle == 0) return translate_away();
+    return go_on();
+}
+
+template <class Part> Toi Advance<Part>::go_on()
+{
     if (t_ == 0 && now_.gap <= tolerance_) {
         if (const std::optional<Toi> end = leave()) return *end;
     }
     return approach();
 }
 
-} // namespace
-
-Toi certified_advancement(const Mover<Core>& a, const Mover<Core>& b, const Options& options, Start start)
+template <class Part> Toi Advance<Part>::run()
 {
-    return Advance<Core>(a, b, options).run(start);
+    if (window_.empty || window_.begin > options_.t_max) return separated();
+    t_ = window_.begin;
+    now_ = pose();
+    return t_ == 0 && now_.gap <= 0 ? leave_contact() : go_on();
 }
 
-Toi certified_advancement(const Mover<Core>& a, const Mover<Border>& b, const Options& options, Start start)
+template <class Part> Toi Advance<Part>::from_contact()
 {
-    return Advance<Border>(a, b, options).run(start);
+    now_ = pose();
+    return leave_contact();
+}
+
+template <class Part> bool Advance<Part>::proven_in_contact()
+{
+    now_ = pose();
+    return now_.gap < -rounding_;
+}
+
+template <class Part> void Advance<Part>::describe(Toi& toi)
+{
+    t_ = toi.t;
+    now_ = pose();
+    const Toi described = answer(toi.status);
+    toi.normal = described.normal;
+    toi.point_a = described.point_a;
+    toi.point_b = described.point_b;
+    toi.gap = described.gap;
+}
+
+} // namespace
+
+Toi certified_advancement(const Mover<Core>& a, const Mover<Core>& b, const Options& options)
+{
+    return Advance<Core>(a, b, options).run();
+}
+Toi certified_advancement(const Mover<Core>& a, const Mover<Border>& b, const Options& options)
+{
+    return Advance<Border>(a, b, options).run();
+}
+
+Toi from_contact(const Mover<Core>& a, const Mover<Core>& b, const Options& options)
+{
+    return Advance<Core>(a, b, options).from_contact();
+}
+Toi from_contact(const Mover<Core>& a, const Mover<Border>& b, const Options& options)
+{
+    return Advance<Border>(a, b, options).from_contact();
+}
+
+bool proven_in_contact(const Mover<Core>& a, const Mover<Core>& b, const Options& options)
+{
+    return Advance<Core>(a, b, options).proven_in_contact();
+}
+bool proven_in_contact(const Mover<Core>& a, const Mover<Border>& b, const Options& options)
+{
+    return Advance<Border>(a, b, options).proven_in_contact();
+}
+
+void describe_contact(Toi& toi, const Mover<Core>& a, const Mover<Core>& b, const Options& options)
+{
+    Advance<Core>(a, b, options).describe(toi);
+}
+void describe_contact(Toi& toi, const Mover<Core>& a, const Mover<Border>& b, const Options& options)
+{
+    Advance<Border>(a, b, options).describe(toi);
 }
 
 } // namespace brink

@@ -4,36 +4,55 @@
 #include "exact.h"
 #include "vector.h"
 
-#include <brink/pose.h>
+#include <brink/motion.h>
 
 namespace brink {
 
-/// Two bodies that only translate, seen from B: world axes, origin at B's.
+/// Two bodies that only translate, seen from B: world axes, origin at B's. Lengths between 2^-60 and 2^60, or
+/// so much smaller than others that they do not matter.
 struct Approach {
     V3 from; // A's origin at t = 0, rounded
-    V3 by;   // A's motion relative to B over the whole step
+    V3 by;   // A's motion relative to B over the whole step, rounded
     double target_gap;
-    const Pose& pose_a; // at t = 0; the orientation of a sphere is not looked at
-    const Pose& pose_b;
+    double t_max;
+    const Motion& motion_a; // of a sphere the orientation is not looked at
+    const Motion& motion_b;
 
     /// Local axes to world axes.
-    Rotation turn_a() const { return rotation(pose_a.orientation); }
-    Rotation turn_b() const { return rotation(pose_b.orientation); }
-    /// What rounding left off `from`.
-    V3 from_low() const
+    Rotation turn_a() const { return rotation(motion_a.start.orientation); }
+    Rotation turn_b() const { return rotation(motion_b.start.orientation); }
+    /// What rounding left off `from` and `by`.
+    V3 from_low() const { return difference_low(motion_a.start.position, motion_b.start.position); }
+    V3 by_low() const { return difference_low(motion_a.translation, motion_b.translation); }
+
+private:
+    static V3 difference_low(const Vec3& u, const Vec3& v)
     {
-        const V3 a = load(pose_a.position), b = load(pose_b.position);
+        const V3 a = load(u), b = load(v);
         return {two_difference(a.x, b.x).lo, two_difference(a.y, b.y).lo, two_difference(a.z, b.z).lo};
     }
 };
 
+/// What a closed form has proven about [0, t_max].
+enum class Found : unsigned char {
+    apart, // no contact
+    start, // contact at t = 0
+    hit,   // apart before t, in contact by t_upper
+    doubt, // apart before t, no more than that
+};
+
 /// First contact of two shapes under translation, as a closed form finds it.
 struct Entry {
-    double t = infinity; // 0: in contact at the start, with nothing else set; infinite: not in [0, 1]
-    V3 core_a{};         // where the cores (the shapes without their radius) come nearest at t,
-    V3 core_b{};         // in Approach's frame
-    V3 facing{};         // of any length, from A towards B: the normal where the cores themselves touch,
-    bool flat = false;   // and everywhere on a face
+    Found found = Found::doubt;
+    double t = 0;
+    double t_upper = infinity;
+    /// Only rounding at the end of the step is in doubt: whether contact, once t is reached, comes by t_max.
+    bool near_end = false;
+    /// Set for a hit and near the end:
+    V3 core_a{};       // where the cores (the shapes without their radius) come nearest at t,
+    V3 core_b{};       // in Approach's frame
+    V3 facing{};       // of any length, from A towards B: the normal where the cores themselves touch,
+    bool flat = false; // and everywhere on a face
 };
 
 } // namespace brink

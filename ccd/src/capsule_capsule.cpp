@@ -2,6 +2,8 @@
 #include "pairs.h"
 #include "rounded_polygon.h"
 
+#include <algorithm>
+
 namespace brink {
 
 namespace {
@@ -37,18 +39,12 @@ Places places_in_face(V3 met, const Segment& a, const Segment& b, V3 normal)
 }
 
 /// The parallelogram's edges run along b, back along a, back along b, along a.
-Places places_on_outline(int edge, double along)
+Places places_on_outline(int edge, V3 met, const Segment& a, const Segment& b)
 {
-    switch (edge) {
-    case 0:
-        return {0, along};
-    case 1:
-        return {along, 1};
-    case 2:
-        return {1, 1 - along};
-    default:
-        return {1 - along, 0};
-    }
+    const bool along_b = edge % 2 == 0;
+    const double end = edge == 1 || edge == 2 ? 1 : 0;
+    if (along_b) return {end, nearest_on(b, met + a.start + end * a.edge)};
+    return {nearest_on(a, b.start + end * b.edge - met), end};
 }
 
 } // namespace
@@ -62,16 +58,18 @@ Entry capsule_capsule(const Capsule& a, const Capsule& b, const Approach& m)
     const V3 b0 = turn_b * load(b.a), b1 = turn_b * load(b.b);
     const V3 edge_a = a1 - a0, edge_b = b1 - b0;
     const V3 corner = b0 - a0, opposite = b1 - a1;
-    const Polygon difference{{corner, b1 - a0, opposite, b0 - a1},
-                             careful_cross(edge_a, edge_b),
-                             0.5 * (corner + opposite),
-                             0.5 * (norm(edge_a) + norm(edge_b))};
-    const PolygonEntry met = polygon_entry(difference, m.from, m.by, a.radius + b.radius + m.target_gap);
+    const Polygon difference{{corner, b1 - a0, opposite, b0 - a1}, {edge_b, -edge_a, -edge_b, edge_a},
+                             careful_cross(edge_a, edge_b),        0.5 * (corner + opposite),
+                             0.5 * (norm(edge_a) + norm(edge_b)),  true};
+    const double extents = std::sqrt(std::max(norm_squared(a0), norm_squared(a1))) +
+                           std::sqrt(std::max(norm_squared(b0), norm_squared(b1)));
+    const PolygonEntry met =
+        polygon_entry(difference, m, reach(m, a.radius + b.radius + m.target_gap, extents));
     Entry e = met.entry;
-    if (e.t == 0 || e.t == infinity) return e;
+    if (e.found == Found::apart || (e.found == Found::doubt && !e.near_end)) return e;
     const Places places = met.edge < 0
                               ? places_in_face(e.core_b, {a0, edge_a}, {b0, edge_b}, difference.normal)
-                              : places_on_outline(met.edge, met.along);
+                              : places_on_outline(met.edge, e.core_b, {a0, edge_a}, {b0, edge_b});
     e.core_a = e.core_a + a0 + places.on_a * edge_a;
     e.core_b = b0 + places.on_b * edge_b;
     return e;

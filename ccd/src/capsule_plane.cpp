@@ -2,13 +2,16 @@
 #include "border_entry.h"
 #include "pairs.h"
 
+#include <algorithm>
+
 namespace brink {
 
 Entry capsule_plane(const Capsule& a, const Plane& b, const Approach& m)
 {
     const Rotation turn = m.turn_a();
-    const V3 ends[] = {m.from + turn * load(a.a), m.from + turn * load(a.b)};
-    return border_entry(ends, border_of(b, m), m.by, a.radius + m.target_gap);
+    const V3 start = turn * load(a.a), end = turn * load(a.b), ends[] = {m.from + start, m.from + end};
+    const double extent = std::sqrt(std::max(norm_squared(start), norm_squared(end)));
+    return border_entry(ends, border_of(b, m), m, a.radius + m.target_gap, extent);
 }
 
 } // namespace brink

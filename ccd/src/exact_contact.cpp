@@ -58,7 +58,8 @@ struct Spans {
     }
 };
 
-template <class Shape> constexpr bool is_border = std::is_same_v<Shape, Plane> || std::is_same_v<Shape, HalfSpace>;
+template <class Shape>
+constexpr bool is_border = std::is_same_v<Shape, Plane> || std::is_same_v<Shape, HalfSpace>;
 template <class Shape> constexpr bool is_point = std::is_same_v<Shape, Sphere>;
 
 template <class A, class B> Spans spans_of(const A& a, const B& b, const Query& q)
@@ -76,8 +77,8 @@ template <class A, class B> Spans spans_of(const A& a, const B& b, const Query& 
     return out;
 }
 
-/// Whether every number that the pair's questions multiply together fits: their degrees in lengths, quaternion
-/// components, times and normals, counted in numerics.md.
+/// Whether every number that the pair's questions multiply together fits: their degrees in lengths,
+/// quaternion components, times and normals, counted in numerics.md.
 struct Degrees {
     int length, rotation, time, normal;
     bool fit(const Spans& s, Span at) const
@@ -88,9 +89,9 @@ struct Degrees {
     }
 };
 template <class A, class B>
-constexpr Degrees degrees = is_border<B>                  ? Degrees{2, is_point<A> ? 4 : 8, 2, 2}
-                            : is_point<A> && is_point<B> ? Degrees{4, 0, 2, 0}
-                                                         : Degrees{7, is_point<A> ? 14 : 28, 2, 0};
+constexpr Degrees degrees = is_border<B>                ? Degrees{2, is_point<A> ? 4 : 8, 2, 2}
+                            : is_point<A>&& is_point<B> ? Degrees{4, 0, 2, 0}
+                                                        : Degrees{7, is_point<A> ? 14 : 28, 2, 0};
 
 double radius(const Sphere& s) { return s.radius; }
 double radius(const Capsule& s) { return s.radius; }
@@ -187,7 +188,10 @@ struct AgainstBorder {
             if (!beyond(height[i] + moved, side)) return false;
         return true;
     }
-    bool apart(const Number& moved, int side) const { return all_beyond(Number(), side) && all_beyond(moved, side); }
+    bool apart(const Number& moved, int side) const
+    {
+        return all_beyond(Number(), side) && all_beyond(moved, side);
+    }
     bool meets(double t) const
     {
         const Number moved = Number(t) * rate;
@@ -197,7 +201,8 @@ struct AgainstBorder {
     {
         exact::EntryTimes out;
         for (int i = 0; i < points; ++i)
-            out.t[out.count++] = exact::descent(height[i], reach_squared, height[i].sign() > 0 ? -rate : rate);
+            out.t[out.count++] =
+                exact::descent(height[i], reach_squared, height[i].sign() > 0 ? -rate : rate);
         return out;
     }
 };
@@ -222,19 +227,33 @@ AgainstBorder against_border(const Border& b, const Query& q, int shift, const L
     return out;
 }
 
-template <class Border> AgainstBorder model_border(const Sphere& a, const Border& b, const Query& q, int shift)
+template <class Border>
+AgainstBorder model_border(const Sphere& a, const Border& b, const Query& q, int shift)
 {
     return against_border(b, q, shift, lengths_of(a, b, q, shift), nullptr, {nullptr});
 }
-template <class Border> AgainstBorder model_border(const Capsule& a, const Border& b, const Query& q, int shift)
+template <class Border>
+AgainstBorder model_border(const Capsule& a, const Border& b, const Query& q, int shift)
 {
     const Turn turn(q.motion_a.start.orientation);
     return against_border(b, q, shift, lengths_of(a, b, q, shift), &turn, {&a.a, &a.b});
 }
-AgainstBorder model(const Sphere& a, const Plane& b, const Query& q, int s) { return model_border(a, b, q, s); }
-AgainstBorder model(const Sphere& a, const HalfSpace& b, const Query& q, int s) { return model_border(a, b, q, s); }
-AgainstBorder model(const Capsule& a, const Plane& b, const Query& q, int s) { return model_border(a, b, q, s); }
-AgainstBorder model(const Capsule& a, const HalfSpace& b, const Query& q, int s) { return model_border(a, b, q, s); }
+AgainstBorder model(const Sphere& a, const Plane& b, const Query& q, int s)
+{
+    return model_border(a, b, q, s);
+}
+AgainstBorder model(const Sphere& a, const HalfSpace& b, const Query& q, int s)
+{
+    return model_border(a, b, q, s);
+}
+AgainstBorder model(const Capsule& a, const Plane& b, const Query& q, int s)
+{
+    return model_border(a, b, q, s);
+}
+AgainstBorder model(const Capsule& a, const HalfSpace& b, const Query& q, int s)
+{
+    return model_border(a, b, q, s);
+}
 
 /// A model's question with its numbers' sizes looked at.
 template <class Model> struct Asked {
@@ -260,7 +279,8 @@ template <class Model> Verdict bracket(const Asked<Model>& asked, exact::EntryTi
     std::sort(times.t, times.t + times.count);
     const auto upwards = [&](double t) { return std::min(t + t * tolerance::exact_root, t_max); };
     const auto reached = [&](double t) { return asked.certainly(true, upwards(t)); };
-    const double* first = std::partition_point(times.t, times.t + times.count, [&](double t) { return !reached(t); });
+    const double* first =
+        std::partition_point(times.t, times.t + times.count, [&](double t) { return !reached(t); });
     const double found = first == times.t + times.count ? t_max : *first;
     Verdict out{Status::hit, 0, upwards(found)};
     for (double down = tolerance::exact_root; down < 1; down *= 16) {
@@ -272,8 +292,9 @@ template <class Model> Verdict bracket(const Asked<Model>& asked, exact::EntryTi
     return out;
 }
 
-template <class A, class B> Verdict verdict(const Query& q, double t_max)
+template <class A, class B> Verdict verdict(const Query& q)
 {
+    const double t_max = q.options.t_max;
     const A& a = *std::get_if<A>(&q.a);
     const B& b = *std::get_if<B>(&q.b);
     const Spans spans = spans_of(a, b, q);
@@ -294,17 +315,17 @@ template <class A, class B> bool are(const Query& q)
 
 } // namespace
 
-Verdict exact_contact(const Query& q, double t_max)
+Verdict exact_contact(const Query& q)
 {
-    if (are<Sphere, Sphere>(q)) return verdict<Sphere, Sphere>(q, t_max);
-    if (are<Sphere, Capsule>(q)) return verdict<Sphere, Capsule>(q, t_max);
-    if (are<Sphere, Box>(q)) return verdict<Sphere, Box>(q, t_max);
-    if (are<Sphere, Triangle>(q)) return verdict<Sphere, Triangle>(q, t_max);
-    if (are<Sphere, Plane>(q)) return verdict<Sphere, Plane>(q, t_max);
-    if (are<Sphere, HalfSpace>(q)) return verdict<Sphere, HalfSpace>(q, t_max);
-    if (are<Capsule, Capsule>(q)) return verdict<Capsule, Capsule>(q, t_max);
-    if (are<Capsule, Plane>(q)) return verdict<Capsule, Plane>(q, t_max);
-    return verdict<Capsule, HalfSpace>(q, t_max);
+    if (are<Sphere, Sphere>(q)) return verdict<Sphere, Sphere>(q);
+    if (are<Sphere, Capsule>(q)) return verdict<Sphere, Capsule>(q);
+    if (are<Sphere, Box>(q)) return verdict<Sphere, Box>(q);
+    if (are<Sphere, Triangle>(q)) return verdict<Sphere, Triangle>(q);
+    if (are<Sphere, Plane>(q)) return verdict<Sphere, Plane>(q);
+    if (are<Sphere, HalfSpace>(q)) return verdict<Sphere, HalfSpace>(q);
+    if (are<Capsule, Capsule>(q)) return verdict<Capsule, Capsule>(q);
+    if (are<Capsule, Plane>(q)) return verdict<Capsule, Plane>(q);
+    return verdict<Capsule, HalfSpace>(q);
 }
 
 } // namespace brink

@@ -9,14 +9,14 @@ namespace brink {
 
 /// What exact arithmetic says of a pair.
 struct Verdict {
-    /// separated, touching (at t = 0), hit (not touching at 0, contact by t_max); undecided: the numbers reach
-    /// over too many powers of two.
+    /// separated, touching (at t = 0), hit (not touching at 0, contact by t_max); undecided: the numbers
+    /// reach over too many powers of two.
     Status status = Status::undecided;
     double t = 0;              // hit: proven apart before t; within 16 ulp of contact
     double t_upper = infinity; // hit: proven in contact by then; at most t_max
 };
 
-/// Both shapes translate, valid, of a pair with a closed form, in the table's order. t_max as in the options.
-Verdict exact_contact(const Query& q, double t_max);
+/// Both shapes translate, valid, of a pair with a closed form, in the table's order.
+Verdict exact_contact(const Query& q);
 
 } // namespace brink

@@ -11,8 +11,8 @@ bool negative(const Number& x) { return x.sign() < 0; }
 bool at_most(const Number& x, const Number& y) { return (x - y).sign() <= 0; }
 
 /// Whether `point` lies within reach of the segment from `start` along `edge`.
-[[gnu::noinline]] bool within(const Point& point, const Point& start, const Point& edge, const Number& length_squared,
-            const Number& reach_squared)
+[[gnu::noinline]] bool within(const Point& point, const Point& start, const Point& edge,
+                              const Number& length_squared, const Number& reach_squared)
 {
     const Point m = point - start;
     const Number along = dot(m, edge);
@@ -26,7 +26,7 @@ bool at_most(const Number& x, const Number& y) { return (x - y).sign() <= 0; }
 
 /// Whether two segments come within reach of each other.
 [[gnu::noinline]] bool within(const Point& start, const Point& d, const Point& other, const Point& e,
-            const Number& reach_squared)
+                              const Number& reach_squared)
 {
     const Point m = start - other;
     const Number dd = dot(d, d), de = dot(d, e), ee = dot(e, e), dm = dot(d, m), em = dot(e, m);
@@ -45,7 +45,8 @@ bool at_most(const Number& x, const Number& y) { return (x - y).sign() <= 0; }
 
 struct Face {
     Point corner[4];
-    Point outward[4]; // at right angles to the edge that starts at that corner, in the plane; all out or all in
+    Point
+        outward[4]; // at right angles to the edge that starts at that corner, in the plane; all out or all in
     Point normal;
     int count;
 };
@@ -70,12 +71,14 @@ bool over(const Face& face, const Point& point, const Number& weight)
     return true;
 }
 
-/// Whether the segment from a to b touches the face's inside, grown by the reach on both sides, or pierces it.
+/// Whether the segment from a to b touches the face's inside, grown by the reach on both sides, or pierces
+/// it.
 [[gnu::noinline]] bool touches(const Face& face, const Point& a, const Point& b, const Number& reach_squared)
 {
     const Number normal_squared = dot(face.normal, face.normal);
     if (normal_squared.sign() == 0) return false; // its edges are all there is
-    const Number height_a = dot(face.normal, a - face.corner[0]), height_b = dot(face.normal, b - face.corner[0]);
+    const Number height_a = dot(face.normal, a - face.corner[0]),
+                 height_b = dot(face.normal, b - face.corner[0]);
     const Number limit = reach_squared * normal_squared, one(1);
     if (at_most(height_a * height_a, limit) && over(face, a, one)) return true;
     if (at_most(height_b * height_b, limit) && over(face, b, one)) return true;
@@ -138,7 +141,8 @@ double cylinder_entry(const Point& start, const Point& edge, const Path& path)
 double slab_entry(const Face& face, const Path& path)
 {
     const Number height = dot(face.normal, path.from - face.corner[0]), rate = dot(face.normal, path.by);
-    return descent(height, path.reach_squared * dot(face.normal, face.normal), height.sign() > 0 ? -rate : rate);
+    return descent(height, path.reach_squared * dot(face.normal, face.normal),
+                   height.sign() > 0 ? -rate : rate);
 }
 
 } // namespace
@@ -153,7 +157,8 @@ double descent(const Number& height, const Number& reach_squared, const Number& 
 {
     const Number above = height * height - reach_squared;
     if (above.sign() <= 0 || rate.sign() <= 0) return infinity;
-    return plain(magnitude(above) / ((magnitude(height) + square_root(magnitude(reach_squared))) * magnitude(rate)));
+    return plain(magnitude(above) /
+                 ((magnitude(height) + square_root(magnitude(reach_squared))) * magnitude(rate)));
 }
 
 Turn::Turn(const Quat& q)
@@ -222,7 +227,8 @@ Polytope box(const Point& half)
     out.solid = true;
     for (int k = 0; k < 8; ++k) {
         const int bit[] = {k & 1, k & 2, k & 4};
-        out.corner[out.corners++] = {bit[0] ? half.x : -half.x, bit[1] ? half.y : -half.y, bit[2] ? half.z : -half.z};
+        out.corner[out.corners++] = {bit[0] ? half.x : -half.x, bit[1] ? half.y : -half.y,
+                                     bit[2] ? half.z : -half.z};
         for (int axis = 0; axis < 3; ++axis) {
             if (bit[axis]) continue;
             out.edge[out.edges][0] = static_cast<signed char>(k);

@@ -45,8 +45,7 @@ static inline double size(const Triangle& s) { return sum(s.a) + sum(s.b) + sum(
 static inline double size(const Plane& s) { return std::fabs(s.offset); }
 static inline double size(const HalfSpace& s) { return std::fabs(s.offset); }
 
-/// The lengths of a valid query, added up. Products of four stay far from overflow below `largest_extent`; a
-/// sum that is not says nothing about which one is to blame, or that one is not finite.
+/// The lengths of a valid query, added up.
 template <class A, class B> static inline double lengths(const Query& q, const Approach& m)
 {
     return sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + sum(q.motion_a.pivot) +
@@ -57,6 +56,13 @@ template <class A, class B> static inline double lengths(const Query& q, const A
 template <class... Flag> static inline bool all(Flag... flags)
 {
     return (static_cast<int>(flags) & ...) != 0;
+}
+
+/// Whether products of lengths stay far from both ends of the range of doubles. A sum of which that cannot be
+/// said says nothing about which length is to blame, or that one is not finite.
+static inline bool of_usual_scale(double lengths)
+{
+    return all(lengths > tolerance::smallest_lengths, lengths < tolerance::largest_lengths);
 }
 
 /// Not negative (nor -0), not NaN and at most `most`: one comparison, because such doubles sort like their
@@ -74,12 +80,12 @@ static inline std::uint64_t any_bit(const Vec3& v)
 }
 
 /// What a shape's own check asks besides finite lengths.
-static inline bool sized(const Sphere& s) { return up_to(tolerance::largest_extent, s.radius); }
-static inline bool sized(const Capsule& s) { return up_to(tolerance::largest_extent, s.radius); }
+static inline bool sized(const Sphere& s) { return up_to(tolerance::largest_lengths, s.radius); }
+static inline bool sized(const Capsule& s) { return up_to(tolerance::largest_lengths, s.radius); }
 static inline bool sized(const Triangle&) { return true; }
 static inline bool sized(const Box& s)
 {
-    constexpr double most = tolerance::largest_extent;
+    constexpr double most = tolerance::largest_lengths;
     return all(up_to(most, s.half_extents.x()), up_to(most, s.half_extents.y()),
                up_to(most, s.half_extents.z()));
 }
@@ -95,8 +101,8 @@ template <class Shape> [[gnu::always_inline]] static inline bool translates(cons
 }
 static inline bool usual(const Options& o)
 {
-    return all(up_to(1, o.t_max), up_to(tolerance::largest_extent, o.target_gap),
-               up_to(tolerance::largest_extent, o.tolerance), o.max_iterations >= 1,
+    return all(up_to(1, o.t_max), up_to(tolerance::largest_lengths, o.target_gap),
+               up_to(tolerance::largest_lengths, o.tolerance), o.max_iterations >= 1,
                o.start_contact <= StartContact::ignore, o.detail <= Detail::time_only);
 }
 

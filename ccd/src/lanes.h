@@ -4,7 +4,7 @@
 #include "vector.h"
 
 #ifdef __SSE2__
-#include <emmintrin.h>
+#include <immintrin.h>
 #endif
 
 /// Two doubles side by side (a vector extension of g++ and clang; one SSE2 register), and the same words for
@@ -28,6 +28,35 @@ static inline Two square_root(Two v)
 #else
     return Two{std::sqrt(v[0]), std::sqrt(v[1])};
 #endif
+}
+
+/// What a b differs from `product`, its rounding, by (Dekker 1971): the same bits with and without fused
+/// multiply-add hardware, because it is exact either way.
+static inline Two product_error(Two a, Two b, Two product)
+{
+#if defined(__FMA__) && defined(__SSE2__)
+    return _mm_fmsub_pd(a, b, product);
+#else
+    const Two splitter = both(134217729); // 2^27 + 1
+    const Two a_big = splitter * a, b_big = splitter * b;
+    const Two a_hi = a_big - (a_big - a), b_hi = b_big - (b_big - b);
+    const Two a_lo = a - a_hi, b_lo = b - b_hi;
+    return ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo;
+#endif
+}
+
+/// a b - c d within 2 ulp (W. Kahan 2004).
+static inline Two difference_of_products(Two a, Two b, Two c, Two d)
+{
+    const Two p = a * b, q = c * d;
+    return (p - q) + (product_error(a, b, p) - product_error(c, d, q));
+}
+
+/// The cross product with every component within 2 ulp: that of nearly parallel vectors keeps its direction.
+static inline XYZ<Two> careful_cross(XYZ<Two> a, XYZ<Two> b)
+{
+    return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+            difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 } // namespace brink

@@ -16,10 +16,6 @@ static inline Two first_root(Two b, Two c, Two discriminant)
     const Two root = c / (square_root(discriminant) - b); // NaN where it does not meet
     return select(c <= 0, both(0), select(meets, root, both(infinity)));
 }
-static inline double first_root(double b, double c, double discriminant)
-{
-    return first_root(both(b), both(c), both(discriminant))[0];
-}
 
 /// First t >= 0 with |from + t by| <= radius; 0 when already so, infinite when never.
 ///

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "crossing.h"
 #include "pairs.h"
 #include "quadratic.h"
 
@@ -30,12 +31,12 @@ struct Slab {
 
 /// Latest entry and earliest exit over three slabs grown by `radius`: that box holds the rounded one.
 struct Stay {
-    double in = 0, out = 1;
+    double in, out;
 };
 
-Stay grown(const Slab (&s)[3], double radius)
+Stay grown(const Slab (&s)[3], double radius, double t_max)
 {
-    Stay stay;
+    Stay stay{0, t_max};
     for (const Slab& axis : s) {
         const double reach = axis.half + radius;
         const double in = (-reach - axis.from) * axis.pace, out = (reach - axis.from) * axis.pace;
@@ -70,9 +71,9 @@ double next_change(const Slab& s, double t) { return t < s.in ? s.in : t < s.out
 /// The squared distance from the box is a quadratic between the times at which some coordinate enters or
 /// leaves its slab: at most seven of them, walked in order of time. It is convex, so once it does not fall it
 /// never will.
-double first_contact(const Slab (&s)[3], double radius)
+double first_contact(const Slab (&s)[3], double radius, double t_max)
 {
-    const Stay stay = grown(s, radius);
+    const Stay stay = grown(s, radius, t_max);
     double t = stay.in;
     if (t > 0 && t <= stay.out && over_face(s, t)) return t;
     while (t <= stay.out) {
@@ -92,28 +93,56 @@ double first_contact(const Slab (&s)[3], double radius)
 
 double clamp(double x, double half) { return x < -half ? -half : x > half ? half : x; }
 
-/// Out of the box through the face whose slab the point entered last: the one it lies on when the sphere has
-/// no radius.
-V3 last_face(const Slab (&s)[3], V3 by)
+V3 clamp(V3 p, V3 half) { return {clamp(p.x, half.x), clamp(p.y, half.y), clamp(p.z, half.z)}; }
+
+/// Out of the face that a point outside of one slab only lies over.
+V3 face_normal(V3 out)
 {
-    const int last = s[0].in >= s[1].in && s[0].in >= s[2].in ? 0 : s[1].in >= s[2].in ? 1 : 2;
-    return {last == 0 ? by.x : 0, last == 1 ? by.y : 0, last == 2 ? by.z : 0};
+    return {out.x > 0   ? 1.0
+            : out.x < 0 ? -1.0
+                        : 0,
+            out.y > 0   ? 1.0
+            : out.y < 0 ? -1.0
+                        : 0,
+            out.z > 0   ? 1.0
+            : out.z < 0 ? -1.0
+                        : 0};
+}
+
+double support(V3 axis, V3 half)
+{
+    return std::fabs(axis.x) * half.x + std::fabs(axis.y) * half.y + std::fabs(axis.z) * half.z;
+}
+
+/// Whether a point over a face lies inside its sides by more than `margin`.
+bool inside_face(V3 point, V3 normal, V3 half, double margin)
+{
+    const auto in = [margin](double x, double n, double h) { return n != 0 || std::fabs(x) + margin <= h; };
+    return in(point.x, normal.x, half.x) && in(point.y, normal.y, half.y) && in(point.z, normal.z, half.z);
 }
 
 } // namespace
 
-/// A moving point against the box grown by the sphere's radius, in the box's axes.
+/// A moving point against the box grown by the sphere's radius: guessed in the box's axes, proven in the
+/// world's, where turning does not touch the path.
 Entry sphere_box(const Sphere& a, const Box& b, const Approach& m)
 {
     const Rotation turn = m.turn_b();
     const V3 from = into(turn, m.from), by = into(turn, m.by), half = load(b.half_extents);
+    const Reach r = reach(m, a.radius + m.target_gap, norm(half));
     const Slab slabs[] = {{from.x, by.x, half.x}, {from.y, by.y, half.y}, {from.z, by.z, half.z}};
-    const double t = first_contact(slabs, a.radius + m.target_gap);
-    if (t == 0 || t == infinity) return {.t = t};
-    const V3 at = from + t * by, nearest{clamp(at.x, half.x), clamp(at.y, half.y), clamp(at.z, half.z)};
-    const V3 out = nearest - at;
+    const double t = first_contact(slabs, r.radius + r.margin, m.t_max);
+    if (t == infinity) return {.found = Found::apart};
+    if (t == 0) return {};
+    const V3 at = from + t * by, out = at - clamp(at, half);
     const int sides = (out.x != 0) + (out.y != 0) + (out.z != 0);
-    return {t, turn * at, turn * nearest, turn * (sides == 1 ? out : last_face(slabs, by)), sides <= 1};
+    const V3 local = sides == 1 ? face_normal(out) : out, axis = turn * local;
+    const double height = dot(axis, m.from) - support(local, half);
+    if (sides == 1)
+        return proven_on_face(m, r, axis, height, t, [&](V3 foot, double margin) {
+            return inside_face(into(turn, foot), local, half, margin);
+        });
+    return proven(m, r, axis, height, t, [&](V3 p) { return turn * clamp(into(turn, p), half); });
 }
 
 } // namespace brink

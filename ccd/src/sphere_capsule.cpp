@@ -2,6 +2,8 @@
 #include "pairs.h"
 #include "rounded_polygon.h"
 
+#include <algorithm>
+
 namespace brink {
 
 /// Only the sum of the radii matters: A shrinks to its centre and B grows, which leaves a moving point and
@@ -9,8 +11,9 @@ namespace brink {
 Entry sphere_capsule(const Sphere& a, const Capsule& b, const Approach& m)
 {
     const Rotation turn = m.turn_b();
-    const double radius = a.radius + b.radius + m.target_gap;
-    return segment_entry(turn * load(b.a), turn * load(b.b), m.from, m.by, radius);
+    const V3 start = turn * load(b.a), end = turn * load(b.b);
+    const double extent = std::sqrt(std::max(norm_squared(start), norm_squared(end)));
+    return segment_entry(start, end, m, reach(m, a.radius + b.radius + m.target_gap, extent));
 }
 
 } // namespace brink

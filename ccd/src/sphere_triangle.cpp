@@ -10,16 +10,20 @@ namespace brink {
 Entry sphere_triangle(const Sphere& a, const Triangle& b, const Approach& m)
 {
     const Rotation turn = m.turn_b();
-    const V3 local = load(b.a), edge_b = load(b.b) - local, edge_c = load(b.c) - local;
-    const V3 corner_a = turn * local, corner_b = turn * load(b.b), corner_c = turn * load(b.c);
+    const V3 corner_a = turn * load(b.a), corner_b = turn * load(b.b), corner_c = turn * load(b.c);
     const V3 centre = (1.0 / 3) * (corner_a + corner_b + corner_c);
     const double reach_squared = std::max(
         {norm_squared(corner_a - centre), norm_squared(corner_b - centre), norm_squared(corner_c - centre)});
+    const double extent =
+        std::sqrt(std::max({norm_squared(corner_a), norm_squared(corner_b), norm_squared(corner_c)}));
+    const V3 edge_ab = corner_b - corner_a, edge_ac = corner_c - corner_a;
     const Polygon triangle{{corner_a, corner_b, corner_c, corner_a},
-                           turn * careful_cross(edge_b, edge_c),
+                           {edge_ab, corner_c - corner_b, -edge_ac, {}},
+                           careful_cross(edge_ab, edge_ac),
                            centre,
-                           std::sqrt(reach_squared)};
-    return polygon_entry(triangle, m.from, m.by, a.radius + m.target_gap).entry;
+                           std::sqrt(reach_squared),
+                           false};
+    return polygon_entry(triangle, m, reach(m, a.radius + m.target_gap, extent)).entry;
 }
 
 } // namespace brink

@@ -2,8 +2,10 @@
 #include <brink/toi.h>
 
 #include "advance.h"
+#include "exact_contact.h"
 #include "glance.h"
 #include "pairs.h"
+#include "rescale.h"
 #include "tolerance.h"
 
 #include <algorithm>
@@ -16,25 +18,28 @@ namespace brink {
 
 namespace {
 
+/// Answers like time_of_impact, for one pair of shapes.
+using Solver = decltype(&time_of_impact);
+
 [[gnu::always_inline]] inline Approach approach(const Query& q)
 {
-    const Pose& a = q.motion_a.start;
-    const Pose& b = q.motion_b.start;
-    const V3 by = load(q.motion_a.translation) - load(q.motion_b.translation);
-    return {load(a.position) - load(b.position), by, q.options.target_gap, a, b};
+    const Motion& a = q.motion_a;
+    const Motion& b = q.motion_b;
+    const V3 from = load(a.start.position) - load(b.start.position);
+    return {from, load(a.translation) - load(b.translation), q.options.target_gap, q.options.t_max, a, b};
 }
 
 /// An answer that has a time but no contact to tell about.
-Toi plain(Status status, double t)
+Toi plain(Status status, double t, double t_upper = infinity)
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {status, t, infinity, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, nan, 0};
+    return {status, t, t_upper, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, nan, 0};
 }
 
 /// A hit with everything a caller may want to know about it.
 Toi hit(const Query& q, const Approach& m, const Entry& e, double radius_a, double radius_b)
 {
-    if (q.options.detail == Detail::time_only) return plain(Status::hit, e.t);
+    if (q.options.detail == Detail::time_only) return plain(Status::hit, e.t, e.t_upper);
     const V3 between = e.core_b - e.core_a;
     const double distance = norm(between), gap = distance - (radius_a + radius_b);
     V3 normal = (1 / distance) * between;
@@ -49,33 +54,78 @@ Toi hit(const Query& q, const Approach& m, const Entry& e, double radius_a, doub
     const V3 origin = load(q.motion_b.start.position) + e.t * load(q.motion_b.translation);
     const V3 point_a = origin + (e.core_a + radius_a * normal),
              point_b = origin + (e.core_b - radius_b * normal);
-    return {Status::hit, e.t, infinity, store(normal), store(point_a), store(point_b), gap, 0};
+    return {Status::hit, e.t, e.t_upper, store(normal), store(point_a), store(point_b), gap, 0};
 }
 
-template <class A, class B> [[gnu::noinline]] Toi solve_by_advancing(const Query& q, Start start)
+template <class A, class B> Toi solve_by_advancing(const Query& q)
 {
-    return certified_advancement(mover(as<A>(q.a), q.motion_a), mover(as<B>(q.b), q.motion_b), q.options,
-                                 start);
+    return certified_advancement(mover(as<A>(q.a), q.motion_a), mover(as<B>(q.b), q.motion_b), q.options);
+}
+
+template <class A, class B> Toi hit_at(const Query& q, double t, double t_upper)
+{
+    Toi toi = plain(Status::hit, t, t_upper);
+    if (q.options.detail == Detail::contact)
+        describe_contact(toi, mover(as<A>(q.a), q.motion_a), mover(as<B>(q.b), q.motion_b), q.options);
+    return toi;
+}
+
+/// What a closed form left in doubt. A start that a witness pair proves in contact is left to the
+/// advancement; anything else is asked in exact numbers, and what even those cannot hold is a hit that may
+/// not be one.
+template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const Approach& m, const Entry& e)
+{
+    const Mover<Core> a = mover(as<A>(q.a), q.motion_a);
+    const auto b = mover(as<B>(q.b), q.motion_b);
+    if (e.t == 0 && proven_in_contact(a, b, q.options)) return from_contact(a, b, q.options);
+    const Verdict v = exact_contact(*q.given);
+    switch (v.status) {
+    case Status::touching:
+        return from_contact(a, b, q.options);
+    case Status::separated:
+        return plain(Status::separated, q.options.t_max);
+    case Status::hit:
+        if (!e.near_end) return hit_at<A, B>(q, v.t, v.t_upper);
+        return hit(q, m, {Found::hit, e.t, v.t_upper, false, e.core_a, e.core_b, e.facing, e.flat},
+                   radius(as<A>(q.a)), radius(as<B>(q.b)));
+    default:
+        return hit_at<A, B>(q, e.t, infinity);
+    }
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
 [[gnu::always_inline]] inline Toi solve_translation(const Query& q, const Approach& m)
 {
     const Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
-    if (e.t == 0) return solve_by_advancing<A, B>(q, Start::in_contact);
-    if (!(e.t <= q.options.t_max)) return plain(Status::separated, q.options.t_max);
-    return hit(q, m, e, radius(as<A>(q.a)), radius(as<B>(q.b)));
+    if (e.found == Found::apart) return plain(Status::separated, q.options.t_max);
+    if (e.found == Found::hit) return hit(q, m, e, radius(as<A>(q.a)), radius(as<B>(q.b)));
+    return settle<A, B>(q, m, e);
+}
+
+/// The answer in the caller's lengths, asked in lengths times 2^exponent.
+template <class A, class B, class Solve>
+[[gnu::noinline]] Toi rescaled(const Query& q, int exponent, Solve solve)
+{
+    const Shape a = scaled(as<A>(q.a), exponent), b = scaled(as<B>(q.b), exponent);
+    const Motion motion_a = scaled(q.motion_a, exponent), motion_b = scaled(q.motion_b, exponent);
+    const Options options = scaled(q.options, exponent);
+    return scaled(solve(Query{a, motion_a, b, motion_b, options, &q}), -exponent);
+}
+
+template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
+Toi solve_usual_scale(const Query& q)
+{
+    if (turns(as<A>(q.a), q.motion_a) || turns(as<B>(q.b), q.motion_b)) return solve_by_advancing<A, B>(q);
+    return solve_translation<A, B, kernel>(q, approach(q));
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
 [[gnu::noinline]] Toi solve_with_care(const Query& q)
 {
     if (!valid<A, B>(q)) return {};
-    const Approach m = approach(q);
-    if (!(lengths<A, B>(q, m) < tolerance::largest_extent)) return plain(Status::undecided, 0);
-    if (turns(as<A>(q.a), q.motion_a) || turns(as<B>(q.b), q.motion_b))
-        return solve_by_advancing<A, B>(q, Start::open);
-    return solve_translation<A, B, kernel>(q, m);
+    const int exponent = exponent_to_usual(as<A>(q.a), as<B>(q.b), q);
+    if (exponent != 0) return rescaled<A, B>(q, exponent, &solve_usual_scale<A, B, kernel>);
+    return solve_usual_scale<A, B, kernel>(q);
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
@@ -84,7 +134,7 @@ Toi solve_exactly(const Shape& a, const Motion& motion_a, const Shape& b, const 
 {
     const Query q{a, motion_a, b, motion_b, options};
     const Approach m = approach(q);
-    const bool clear = all(lengths<A, B>(q, m) < tolerance::largest_extent, usual(options),
+    const bool clear = all(of_usual_scale(lengths<A, B>(q, m)), usual(options),
                            translates(as<A>(a), motion_a), translates(as<B>(b), motion_b));
     return clear ? solve_translation<A, B, kernel>(q, m) : solve_with_care<A, B, kernel>(q);
 }
@@ -95,14 +145,12 @@ Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& 
 {
     const Query q{a, motion_a, b, motion_b, options};
     if (!valid<A, B>(q)) return {};
-    if (!(lengths<A, B>(q, approach(q)) < tolerance::largest_extent)) return plain(Status::undecided, 0);
-    return solve_by_advancing<A, B>(q, Start::open);
+    const int exponent = exponent_to_usual(as<A>(a), as<B>(b), q);
+    if (exponent != 0) return rescaled<A, B>(q, exponent, &solve_by_advancing<A, B>);
+    return solve_by_advancing<A, B>(q);
 }
 
 Toi solve_nothing(const Shape&, const Motion&, const Shape&, const Motion&, const Options&) { return {}; }
-
-/// Answers like time_of_impact, for one pair of shapes.
-using Solver = decltype(&time_of_impact);
 
 template <Solver solver>
 Toi swapped(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,

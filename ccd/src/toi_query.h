@@ -12,6 +12,7 @@ struct Query {
     const Shape& b;
     const Motion& motion_b;
     const Options& options;
+    const Query* given = this; // the same in the caller's own lengths
 };
 
 /// Swaps the sides of an answer.

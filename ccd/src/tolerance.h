@@ -28,6 +28,23 @@ inline constexpr double clip_slack = 64 * unit_roundoff;
 /// other: the rounding of their cross product, 2^-53, then moves it by 2^-43.
 inline constexpr double nearly_parallel = 1e-6;
 
+/// Rounding of a point's height over a supporting plane, as a multiple of relative position + relative motion
+/// + radii, and of the extents of points that a rotation has turned: the operations counted in numerics.md.
+inline constexpr double axis_slack = 8 * unit_roundoff;
+inline constexpr double turning_slack = 28 * unit_roundoff;
+
+/// How far off first contact a kernel's guess can be, as a multiple of the same lengths: a miss is believed
+/// when there is no contact with the radius that much larger (numerics.md).
+inline constexpr double guess_slack = 64 * unit_roundoff;
+
+/// A witness of contact is looked for this many slacks below where the height must have fallen to the radius:
+/// one for that to be certain, two for the witness itself.
+inline constexpr double witness_depth = 3;
+
+/// An axis is good enough when it leaves a gap of at most this many slacks: its own, and the rounding of the
+/// gap.
+inline constexpr double loose_axis = 2;
+
 /// Relative error of a root whose terms are exact but for their conversion to double: 2 u each, halved by the
 /// square root, and three operations.
 inline constexpr double exact_root = 8 * unit_roundoff;
@@ -56,8 +73,38 @@ inline constexpr double step_shrink = 1 - 0x1p-51;
 /// again with the rounding errors of its terms. Above, it is right to 16 times a few roundings.
 inline constexpr double cancelled = 1.0 / 16;
 
-/// Larger sums of positions, motions and sizes would overflow when multiplied four at a time (scene length
-/// unit).
-inline constexpr double largest_extent = 1e75;
+/// What that leaves in doubt, as a part of the squares: their errors' errors, 2^-106, some forty of them, and
+/// enough over for the root to be right to a factor of two.
+inline constexpr double cancelled_slack = 0x1p-90;
+
+/// Balls that differ by this part of (relative position + radius) in radius tell whether rounding can decide
+/// if a path meets them: four roundings of each component of a cross product, and the position's own.
+inline constexpr double ring = 10 * unit_roundoff;
+
+/// What products of lengths near 2^-60 or smaller may lose to the end of the range of doubles.
+inline constexpr double nothing = 0x1p-900;
+
+/// Error of |p|^2 - R^2 from exact products, as a multiple of R times the lengths that enter p.
+inline constexpr double polish_slack = 32 * unit_roundoff * unit_roundoff;
+
+/// Relative rounding of a Newton step: of the point, 2 u, and of the dot product that says how fast it nears
+/// the sphere, 3 u of what it is head-on; a few more.
+inline constexpr double rounded_step = 16 * unit_roundoff;
+
+/// A Newton step is short when the parabola's bend changes it by less than this part; the true one is then
+/// longer by less than its bend.
+inline constexpr double largest_bend = 0.25;
+
+/// A root known to this part of itself is sharp; otherwise exact numbers are asked.
+inline constexpr double sharp_root = 4 * unit_roundoff;
+
+/// Past the rounding of a sum and of this product.
+inline constexpr double downwards = 1 - 0x1p-51;
+inline constexpr double upwards = 1 + 0x1p-51;
+
+/// Lengths are scaled by a power of two unless their sum lies between these: products of eight then stay far
+/// from both ends of the range of doubles.
+inline constexpr double smallest_lengths = 0x1p-60;
+inline constexpr double largest_lengths = 0x1p60;
 
 } // namespace brink::tolerance

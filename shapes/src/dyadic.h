@@ -16,8 +16,8 @@ struct Scaled {
 };
 
 /// A sum of products of doubles, exactly: sign * (limb[0] + limb[1] 2^64 + ...) * 2^(64 place). It lives on
-/// the stack and holds `Capacity` limbs; whoever multiplies must know beforehand that they are enough (`Span`):
-/// beyond them its value is lost.
+/// the stack and holds `Capacity` limbs; whoever multiplies must know beforehand that they are enough
+/// (`Span`): beyond them its value is lost.
 template <int Capacity> class Dyadic {
 public:
     Dyadic() = default;

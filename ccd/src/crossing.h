@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "approach.h"
+#include "tolerance.h"
+
+/// From a guess at the touching feature to a time that is proven: a point that moves against a polytope grown
+/// by a radius. Proofs in numerics.md, "Closed forms".
+namespace brink {
+
+/// How near counts as contact, and what rounding may take from or add to a length.
+struct Reach {
+    double radius;
+    double slack;  // of a height along a given axis, per length of the axis
+    double margin; // of first contact as the kernels guess it: they look for contact within radius + margin
+};
+
+/// `extents`: how far the turned points of both shapes lie from their origins.
+static inline Reach reach(const Approach& m, double radius, double extents)
+{
+    const double lengths = norm(m.from) + norm(m.by) + radius;
+    return {radius, tolerance::axis_slack * lengths + tolerance::turning_slack * extents,
+            tolerance::guess_slack * (lengths + extents)};
+}
+
+static inline double squared(double x) { return x * x; }
+
+/// When the height along an axis falls to what is proven to be above the reach, and to what is proven to be
+/// below it. The height is that of the point over the polytope's supporting plane, above the reach at t = 0.
+struct Crossing {
+    double t, t_upper;
+    bool closing;
+};
+static inline Crossing crossing(double above, double rate, double slack)
+{
+    return {(above - slack) / rate, (above + tolerance::witness_depth * slack) / rate,
+            rate > 0 && above > slack};
+}
+
+/// The entry along `axis`, given the point's least height over the polytope along it at t = 0. `nearest`
+/// gives a point of the polytope near the one it is given. `early`: a time before which the guess has proven
+/// the shapes apart.
+template <class Nearest>
+[[gnu::always_inline]] inline Entry proven(const Approach& m, const Reach& r, V3 axis, double height,
+                                           double early, Nearest nearest)
+{
+    const double length = norm(axis), slack = r.slack * length;
+    const Crossing c = crossing(height - r.radius * length, -dot(axis, m.by), slack);
+    if (!c.closing) return {.t = early};
+    if (c.t > m.t_max) return {.found = Found::apart};
+    const V3 at = m.from + c.t * m.by, met = nearest(at);
+    // A guess that is off leaves a gap behind.
+    if (!(norm_squared(at - met) <= squared(r.radius + tolerance::loose_axis * r.slack))) return {.t = early};
+    if (c.t_upper > m.t_max) return {Found::doubt, c.t, infinity, true, at, met, m.by, false};
+    const V3 later = m.from + c.t_upper * m.by;
+    const double inner = r.radius - r.slack;
+    if (!(inner > 0 && norm_squared(later - nearest(later)) <= squared(inner))) return {.t = early};
+    return {Found::hit, c.t, c.t_upper, false, at, met, m.by, false};
+}
+
+/// The same against a flat face: the point proven to enter the slab of the radius between the face's sides.
+/// `inside` says whether a point of the plane lies inside the face by more than a margin.
+template <class Inside>
+[[gnu::always_inline]] inline Entry proven_on_face(const Approach& m, const Reach& r, V3 normal,
+                                                   double height, double early, Inside inside)
+{
+    const double length = norm(normal), slack = r.slack * length, rate = -dot(normal, m.by);
+    const double above = height - r.radius * length;
+    const Crossing c = crossing(above, rate, slack);
+    if (!c.closing) return {.t = early};
+    if (c.t > m.t_max) return {.found = Found::apart};
+    const V3 at = m.from + c.t * m.by;
+    const V3 foot = at - ((height - c.t * rate) / (length * length)) * normal;
+    if (!inside(foot, 8 * r.slack + (c.t_upper - c.t) * norm(m.by))) return {.t = early};
+    const bool late = c.t_upper > m.t_max;
+    return {
+        late ? Found::doubt : Found::hit, c.t, late ? infinity : c.t_upper, late, at, foot, -normal, true};
+}
+
+} // namespace brink
