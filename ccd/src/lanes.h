@@ -45,6 +45,21 @@ static inline Two product_error(Two a, Two b, Two product)
 #endif
 }
 
+/// Two unevaluated sums hi + lo.
+struct TwoPairs {
+    Two hi, lo;
+};
+static inline TwoPairs two_sum(Two a, Two b)
+{
+    const Two sum = a + b, b_part = sum - a;
+    return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+static inline TwoPairs two_product(Two a, Two b)
+{
+    const Two product = a * b;
+    return {product, product_error(a, b, product)};
+}
+
 /// a b - c d within 2 ulp (W. Kahan 2004).
 static inline Two difference_of_products(Two a, Two b, Two c, Two d)
 {

@@ -14,32 +14,50 @@ Pair reach_of(const Sphere& a, const Sphere& b, const Approach& m)
     return {sum.hi, sum.lo + radii.lo};
 }
 
-/// |hi + low|^2 - radius^2, its terms taken exactly (T. Ogita, S. Rump and S. Oishi 2005).
-[[gnu::always_inline]] inline double clearance_squared(V3 hi, V3 low, Pair radius)
+/// x and y, z and the radius: four coordinates of a cone whose apex the point reaches when it touches.
+struct Four {
+    TwoPairs xy, zr;
+};
+
+/// A relative position and the radius, or a relative motion and 0, with what rounding left off them.
+Four difference(const Vec3& a, const Vec3& b, Pair radius)
 {
-    const Pair x = two_product(hi.x, hi.x), y = two_product(hi.y, hi.y), z = two_product(hi.z, hi.z);
-    const Pair r = two_product(radius.hi, radius.hi);
-    const Pair xy = two_sum(x.hi, y.hi), zr = two_difference(z.hi, r.hi), all = two_sum(xy.hi, zr.hi);
-    const double rest = dot(low, hi + hi + low) - radius.lo * (radius.hi + radius.hi + radius.lo);
-    return all.hi + ((all.lo + (xy.lo + zr.lo)) + ((x.lo + y.lo) + (z.lo - r.lo) + rest));
+    const double *p = a.data(), *q = b.data();
+    const TwoPairs xy = two_sum(Two{p[0], p[1]}, -Two{q[0], q[1]});
+    const Pair z = two_difference(p[2], q[2]);
+    return {xy, {Two{z.hi, radius.hi}, Two{z.lo, radius.lo}}};
+}
+
+TwoPairs moved(const TwoPairs& from, Two t, const TwoPairs& by)
+{
+    const TwoPairs product = two_product(t, by.hi), sum = two_sum(from.hi, product.hi);
+    return {sum.hi, sum.lo + (product.lo + (from.lo + t * by.lo))};
+}
+
+/// x^2 + y^2 + z^2 - r^2, its terms taken exactly.
+double clearance_squared(const TwoPairs& xy, const TwoPairs& zr)
+{
+    const TwoPairs high = two_product(xy.hi, xy.hi), low = two_product(zr.hi, zr.hi);
+    const Two sign{1, -1};
+    const TwoPairs sum = two_sum(high.hi, sign * low.hi);
+    const Two rest = sum.lo + (high.lo + sign * low.lo) +
+                     (xy.lo * (xy.hi + xy.hi + xy.lo) + sign * (zr.lo * (zr.hi + zr.hi + zr.lo)));
+    const Pair all = two_sum(sum.hi[0], sum.hi[1]);
+    return all.hi + (all.lo + (rest[0] + rest[1]));
 }
 
 /// A root of |from + t by|^2 = radius^2 to the last few places, from one that is off by any rounding: how far
 /// the point is from the sphere at that time, taken exactly, over how fast it nears it.
-[[gnu::always_inline]] inline Entry polished(double t, const Approach& m, Pair radius)
+[[gnu::always_inline]] inline Entry polished(double t, const Approach& m, Pair radius, double lengths)
 {
-    const V3 high = m.from, by = m.by, from_low = m.from_low(), by_low = m.by_low();
-    const auto along = [t](double f, double d, double f_low, double d_low) {
-        const Pair moved = two_product(t, d), sum = two_sum(f, moved.hi);
-        return Pair{sum.hi, sum.lo + (moved.lo + (f_low + t * d_low))};
-    };
-    const Pair x = along(high.x, by.x, from_low.x, by_low.x), y = along(high.y, by.y, from_low.y, by_low.y),
-               z = along(high.z, by.z, from_low.z, by_low.z);
-    const V3 at{x.hi, y.hi, z.hi};
-    const double over = clearance_squared(at, {x.lo, y.lo, z.lo}, radius), nearing = -dot(at, by);
-    const double travel = sum_of_magnitudes(by), lengths = sum_of_magnitudes(high) + travel + radius.hi;
-    const double pace = radius.hi / nearing; // over cos(angle of incidence)
-    const double step = over / (nearing + nearing), bend = std::fabs(step * norm_squared(by) / nearing);
+    const Four from = difference(m.motion_a.start.position, m.motion_b.start.position, radius);
+    const Four by = difference(m.motion_a.translation, m.motion_b.translation, {});
+    const TwoPairs xy = moved(from.xy, both(t), by.xy), zr = moved(from.zr, both(t), by.zr);
+    const double over = clearance_squared(xy, zr);
+    const Two terms = xy.hi * by.xy.hi + zr.hi * by.zr.hi;
+    const double nearing = -(terms[0] + terms[1]), share = 1 / nearing;
+    const double travel = sum_of_magnitudes(m.by), pace = radius.hi * share; // over cos(angle of incidence)
+    const double step = 0.5 * over * share, bend = std::fabs(step * norm_squared(m.by) * share);
     const double doubt = tolerance::polish_slack * lengths * pace +
                          std::fabs(step) * (bend + tolerance::rounded_step * travel * pace);
     if (!(nearing > 0 && bend < tolerance::largest_bend && doubt <= tolerance::sharp_root * t)) return {};
@@ -51,9 +69,9 @@ Pair reach_of(const Sphere& a, const Sphere& b, const Approach& m)
             first,
             late ? infinity : last,
             late,
-            m.from + first * by,
+            m.from + first * m.by,
             {},
-            by,
+            m.by,
             false};
 }
 
@@ -68,7 +86,8 @@ Entry sphere_sphere(const Sphere& a, const Sphere& b, const Approach& m)
     const double distance_squared = norm_squared(m.from), reach_squared = radius.hi * radius.hi;
     double c = distance_squared - reach_squared;
     if (c < tolerance::cancelled * distance_squared) {
-        c = clearance_squared(m.from, m.from_low(), radius);
+        const Four from = difference(m.motion_a.start.position, m.motion_b.start.position, radius);
+        c = clearance_squared(from.xy, from.zr);
         const double doubt = tolerance::cancelled_slack * distance_squared;
         if (c < -doubt) return {.found = Found::start};
         if (c < doubt) return {};
@@ -76,14 +95,14 @@ Entry sphere_sphere(const Sphere& a, const Sphere& b, const Approach& m)
     const double along = dot(m.from, m.by);
     if (along >= 0) return {.found = Found::apart};
     const double speed_squared = norm_squared(m.by), across = norm_squared(cross(m.from, m.by));
-    const double ring = tolerance::ring * (sum_of_magnitudes(m.from) + radius.hi);
+    const double lengths = sum_of_magnitudes(m.from) + radius.hi, ring = tolerance::ring * lengths;
     const double discriminant = speed_squared * reach_squared - across;
     const double doubt = speed_squared * ring * (radius.hi + radius.hi + ring) + tolerance::nothing;
     if (discriminant < -doubt) return {.found = Found::apart};
     if (!(discriminant > doubt)) return {};
     const double t = c / (std::sqrt(discriminant) - along);
     if (t > 2 * m.t_max) return {.found = Found::apart};
-    return polished(t, m, radius);
+    return polished(t, m, radius, lengths + sum_of_magnitudes(m.by));
 }
 
 } // namespace brink
