@@ -5,6 +5,15 @@
 
 using namespace brink;
 
+namespace {
+
+double first_root(double b, double c, double discriminant)
+{
+    return brink::first_root(both(b), both(c), both(discriminant))[0];
+}
+
+} // namespace
+
 TEST_CASE("first_root: t^2 - 5 t + 4 falls to zero at 1")
 {
     CHECK(first_root(-2.5, 4, 2.25) == 1);

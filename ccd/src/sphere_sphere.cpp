@@ -35,7 +35,11 @@ TwoPairs moved(const TwoPairs& from, Two t, const TwoPairs& by)
 }
 
 /// x^2 + y^2 + z^2 - r^2, its terms taken exactly.
-double clearance_squared(const TwoPairs& xy, const TwoPairs& zr)
+struct Clearance {
+    double squared;
+    Two dust; // zero where nothing was rounded
+};
+Clearance clearance(const TwoPairs& xy, const TwoPairs& zr)
 {
     const TwoPairs high = two_product(xy.hi, xy.hi), low = two_product(zr.hi, zr.hi);
     const Two sign{1, -1};
@@ -43,7 +47,9 @@ double clearance_squared(const TwoPairs& xy, const TwoPairs& zr)
     const Two rest = sum.lo + (high.lo + sign * low.lo) +
                      (xy.lo * (xy.hi + xy.hi + xy.lo) + sign * (zr.lo * (zr.hi + zr.hi + zr.lo)));
     const Pair all = two_sum(sum.hi[0], sum.hi[1]);
-    return all.hi + (all.lo + (rest[0] + rest[1]));
+    const auto size = [](Two x) { return select(x < 0, -x, x); };
+    return {all.hi + (all.lo + (rest[0] + rest[1])),
+            size(xy.lo) + size(zr.lo) + size(high.lo) + size(low.lo) + size(sum.lo)};
 }
 
 /// A root of |from + t by|^2 = radius^2 to the last few places, from one that is off by any rounding: how far
@@ -53,14 +59,16 @@ double clearance_squared(const TwoPairs& xy, const TwoPairs& zr)
     const Four from = difference(m.motion_a.start.position, m.motion_b.start.position, radius);
     const Four by = difference(m.motion_a.translation, m.motion_b.translation, {});
     const TwoPairs xy = moved(from.xy, both(t), by.xy), zr = moved(from.zr, both(t), by.zr);
-    const double over = clearance_squared(xy, zr);
+    const Clearance over = clearance(xy, zr);
     const Two terms = xy.hi * by.xy.hi + zr.hi * by.zr.hi;
     const double nearing = -(terms[0] + terms[1]), share = 1 / nearing;
     const double travel = sum_of_magnitudes(m.by), pace = radius.hi * share; // over cos(angle of incidence)
-    const double step = 0.5 * over * share, bend = std::fabs(step * norm_squared(m.by) * share);
+    const double step = 0.5 * over.squared * share, bend = std::fabs(step * norm_squared(m.by) * share);
     const double doubt = tolerance::polish_slack * lengths * pace +
                          std::fabs(step) * (bend + tolerance::rounded_step * travel * pace);
     if (!(nearing > 0 && bend < tolerance::largest_bend && doubt <= tolerance::sharp_root * t)) return {};
+    if (over.squared == 0 && over.dust[0] + over.dust[1] == 0 && t <= m.t_max)
+        return {Found::hit, t, t, false, m.from + t * m.by, {}, m.by, false};
     const double first = (t + (step - doubt)) * tolerance::downwards,
                  last = (t + (step + doubt)) * tolerance::upwards;
     if (first > m.t_max) return {.found = Found::apart};
@@ -87,7 +95,7 @@ Entry sphere_sphere(const Sphere& a, const Sphere& b, const Approach& m)
     double c = distance_squared - reach_squared;
     if (c < tolerance::cancelled * distance_squared) {
         const Four from = difference(m.motion_a.start.position, m.motion_b.start.position, radius);
-        c = clearance_squared(from.xy, from.zr);
+        c = clearance(from.xy, from.zr).squared;
         const double doubt = tolerance::cancelled_slack * distance_squared;
         if (c < -doubt) return {.found = Found::start};
         if (c < doubt) return {};
