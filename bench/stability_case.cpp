@@ -139,7 +139,7 @@ void judge(Scores& scores, const Asked& asked, Spot spot)
         judge_brink(score, asked.toi);
         const std::string text = objection(asked, wrong, late);
         score.broken += text.empty() ? 0U : 1U;
-        if (!text.empty()) scores.complain({spot, asked.index, text});
+        if (!text.empty()) scores.complain({spot, asked.index, wrong, text});
     }
 }
 

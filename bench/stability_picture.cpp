@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stability_picture.h"
 
+#include "output.h"
+
 #include <stress.h>
 
 #include <algorithm>
@@ -11,9 +13,9 @@
 namespace brink::bench {
 namespace {
 
-/// The panels and everything else but the figures. Wants $cells: class, solver (3 is on top), level from, to,
-/// decimal logarithm of the worst error in ulp (-1: nothing to compare), wrong decisions; and the arrays
-/// title, quantity, first, last; @ticks is replaced by the axis of panel k.
+/// The panels and everything else but the figures. Wants headline, subline, verdict and $cells: class, solver
+/// (3 is on top), level from, to, decimal logarithm of the worst error in ulp (-1: nothing to compare), wrong
+/// decisions; and the arrays title, quantity, first, last; @ticks is replaced by the axis of panel k.
 constexpr std::string_view script = R"GP(
 array who[4] = ['FCL advancement', 'stable root', 'textbook root', 'brink']
 pick(k, known) = column(1) == k && (column(5) >= 0) == known ? column(2) : NaN
@@ -43,8 +45,8 @@ do for [format in 'svg png'] {
         j = (k - 1) / columns
         set lmargin at screen 0.115 + 0.177 * i
         set rmargin at screen 0.115 + 0.177 * i + 0.163
-        set tmargin at screen 0.80 - 0.36 * j
-        set bmargin at screen 0.80 - 0.36 * j - 0.20
+        set tmargin at screen 0.775 - 0.375 * j
+        set bmargin at screen 0.775 - 0.375 * j - 0.215
         set xrange [first[k]:last[k]]
         if (i == 0) {
             set ytics (who[1] 0, who[2] 1, who[3] 2, who[4] 3)
@@ -55,8 +57,9 @@ do for [format in 'svg png'] {
         set label 1 title[k] at graph 0, 1.10 left font middle_size
         set xlabel quantity[k] font small offset 0, 0.6
         if (k == 1) {
-            set label 2 headline at screen 0.5, 0.955 center font large
-            set label 3 subline at screen 0.5, 0.905 center textcolor rgb '#444444' font middle_size
+            set label 2 headline at screen 0.5, 0.962 center font large
+            set label 3 subline at screen 0.5, 0.912 center textcolor rgb '#444444' font middle_size
+            set label 9 verdict at screen 0.5, 0.868 center font middle_size
             set label 4 'a wrong hit or miss' at screen 0.71, 0.052 left
             set label 5 '×' at screen 0.695, 0.052 center font middle_size
             set label 6 'nothing to compare' at screen 0.875, 0.052 left
@@ -112,15 +115,16 @@ std::string cells(const Scores& scores, const std::set<std::size_t>& kinds)
     return text + "END\n";
 }
 
-/// Where the axis of a class has its numbers: at powers of ten that leave room for them; "0" for the step
-/// that holds exact zeros.
+/// Where the axis of a class has its numbers: at powers of ten with room between them, none at the right end,
+/// where the next panel begins; "0" at the step that holds exact zeros.
 std::string ticks(const support::StressClass& c)
 {
+    if (c.stress == support::Stress::random) return "'' 0";
     const bool zero = c.stress == support::Stress::parallel || c.stress == support::Stress::touching;
     const double span = c.last - c.first;
-    const double every = span > 100 ? 50 : span > 8 ? 4 : span > 2 ? 2 : 1;
+    const double every = span > 100 ? 100 : span > 8 ? 4 : 2;
     std::string text = zero ? fmt::format("'0' {}", c.first + 0.5) : "";
-    for (double at = std::ceil((c.first + (zero ? 1 : 0)) / every) * every; at <= c.last; at += every)
+    for (double at = std::ceil((c.first + (zero ? 2 : 0)) / every) * every; at < c.last; at += every)
         text += fmt::format("{}'10^{{{:g}}}' {:g}", text.empty() ? "" : ", ", at, at);
     return text;
 }
@@ -132,9 +136,50 @@ std::string titled(std::string_view name)
     return title == "t max" ? "contact at t_{max}" : title;
 }
 
+std::string axis_name(const support::StressClass& c)
+{
+    if (c.stress == support::Stress::random) return "no difficulty";
+    return c.stress == support::Stress::t_max ? "t_{max}" : std::string(c.quantity);
+}
+
 std::string array(std::string_view name, const std::vector<std::string>& items)
 {
     return fmt::format("array {}[{}] = [{}]\n", name, items.size(), fmt::join(items, ", "));
+}
+
+std::string share(std::uint64_t part, std::uint64_t whole)
+{
+    if (part == 0) return "0";
+    const double percent = 100 * static_cast<double>(part) / static_cast<double>(whole);
+    if (percent < 0.01) return "<0.01 %";
+    return fmt::format("{:.{}f} %", percent, percent < 0.1 ? 2 : percent < 10 ? 1 : 0);
+}
+
+/// "brink: 0 wrong, 0 late" and so on for every solver that was asked.
+std::string verdict(const Scores& scores)
+{
+    constexpr std::array<std::string_view, 4> titles{"brink", "textbook root", "stable root", "FCL"};
+    std::string text;
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+        Score sum;
+        for (const auto& [spot, by_solver] : scores.at) {
+            sum.cases += by_solver[i].cases;
+            sum.wrong += by_solver[i].wrong;
+            sum.late += by_solver[i].late;
+        }
+        if (sum.cases > 0)
+            text += fmt::format("{}{}: {} wrong, {} late", i == 0 ? "" : "      ", titles[i],
+                                share(sum.wrong, sum.cases), share(sum.late, sum.cases));
+    }
+    return text;
+}
+
+std::string scope(const std::set<std::size_t>& pairs)
+{
+    if (pairs.size() > 1) return fmt::format("{} pairs of shapes in translation", pairs.size());
+    std::string name = support::all_pairs()[*pairs.begin()].name();
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name + " in translation";
 }
 
 } // namespace
@@ -153,23 +198,23 @@ std::string stability_plot(const Scores& scores)
     for (const std::size_t kind : kinds) {
         const support::StressClass& c = support::stress_classes[kind];
         titles.push_back(fmt::format("\"{}\"", titled(c.name)));
-        quantities.push_back(fmt::format("\"{}\"", c.quantity));
+        quantities.push_back(fmt::format("\"{}\"", axis_name(c)));
         firsts.push_back(fmt::format("{:g}", c.first));
         lasts.push_back(fmt::format("{:g}", c.last));
         tick_commands.push_back(ticks(c));
     }
     std::string text = "# Draws the worst error of t by class of difficulty: gnuplot stability.gp\n";
     text += "headline = \"Where the first moment of contact loses its digits\"\n";
-    text += fmt::format(
-        "subline = \"{} pair{} of shapes that a closed form decides, {} cases, exact time of contact "
-        "from 200 digits\"\n",
-        pairs.size(), pairs.size() == 1 ? "" : "s", cases);
+    text += fmt::format("subline = \"{}, {} cases, each judged in 200 digits\"\n", scope(pairs),
+                        thousands(static_cast<std::int64_t>(cases)));
+    text += fmt::format("verdict = \"{}\"\n", verdict(scores));
     text += array("title", titles) + array("quantity", quantities) + array("first", firsts) +
             array("last", lasts);
     std::string plot(script);
     std::string choose;
     for (std::size_t i = 0; i < tick_commands.size(); ++i)
-        choose += fmt::format("        if (k == {}) {{ set xtics ({}) }}\n", i + 1, tick_commands[i]);
+        choose += fmt::format("        if (k == {}) {{ set xtics ({}) font small offset 0, 0.3 }}\n", i + 1,
+                              tick_commands[i]);
     const std::string_view placeholder = "        @ticks\n";
     plot.replace(plot.find(placeholder), placeholder.size(), choose);
     return text + cells(scores, kinds) + plot;

@@ -43,10 +43,10 @@ std::string cells(const Score& score)
 std::string heading(const support::Pair& pair, bool centres)
 {
     std::string text =
-        fmt::format("\n{:<16} {:>5} {:>5} | {:<{}} | {:<29} | {:<29} | {}\n", pair.name(), "", "", "brink",
+        fmt::format("\n{:<18} {:>5} {:>5} | {:<{}} | {:<29} | {:<29} | {}\n", pair.name(), "", "", "brink",
                     centres ? 59 : 53, "textbook root", "stable root", "FCL conservative advancement");
     const auto common = fmt::format("{:>5} {:>5} {:>5} {:>5} {:>5}", "p99.9", "max", "back", "wrong", "late");
-    return text + fmt::format("{:<16} {:>5} {:>5} | {}{} {:>5} {:>5} {:>5} {:>5} | {} | {} | {:>5} {}\n", "",
+    return text + fmt::format("{:<18} {:>5} {:>5} | {}{} {:>5} {:>5} {:>5} {:>5} | {} | {} | {:>5} {}\n", "",
                               "cases", "hits", common, centres ? "  /C+R" : "", "undec", "cons", "brckt",
                               "brokn", common, common, "asked", common);
 }
@@ -56,7 +56,7 @@ void add_row(std::string& text, const Scores& scores, std::size_t pair, std::siz
     const auto total = [&](Solver solver) { return scores.total(pair, kind, solver); };
     const Score brink = total(Solver::brink);
     const Score fcl = total(Solver::fcl);
-    text += fmt::format("{:<16} {:>5} {:>5} | {}", support::stress_classes[kind].name, brink.cases,
+    text += fmt::format("{:<18} {:>5} {:>5} | {}", support::stress_classes[kind].name, brink.cases,
                         brink.ulps.size(), cells(brink));
     if (centres) text += fmt::format(" {:>5}", brink.ulps.empty() ? "-" : figure(brink.backward_centres));
     text += fmt::format(" {:>5} {:>5} {:>5} {:>5}", brink.undecided, brink.conservative,

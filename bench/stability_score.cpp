@@ -30,6 +30,12 @@ double Score::ulp_at(double share) const
     return sorted[static_cast<std::size_t>(rank)];
 }
 
+bool Complaint::precedes(const Complaint& other) const
+{
+    if (wrong != other.wrong) return wrong;
+    return std::pair(spot, index) < std::pair(other.spot, other.index);
+}
+
 void Scores::complain(Complaint complaint)
 {
     const auto same = std::find_if(complaints.begin(), complaints.end(), [&](const Complaint& c) {
@@ -37,7 +43,7 @@ void Scores::complain(Complaint complaint)
     });
     if (same == complaints.end())
         complaints.push_back(std::move(complaint));
-    else if (complaint.index < same->index)
+    else if (complaint.precedes(*same))
         *same = std::move(complaint);
 }
 

@@ -48,15 +48,17 @@ struct Spot {
 struct Complaint {
     Spot spot;
     std::uint64_t index = 0;
-    std::string text; // as C++, with what is wrong as a comment
+    bool wrong = false; // a wrong decision, which goes before lateness and the rest
+    std::string text;   // as C++, with what is wrong as a comment
+    bool precedes(const Complaint& other) const;
 };
 
 struct Scores {
     std::map<Spot, std::array<Score, solver_names.size()>> at;
-    std::vector<Complaint> complaints; // at most the first of each pair and class
+    std::vector<Complaint> complaints; // at most one of each pair and class
 
     Score& score(const Spot& spot, Solver solver) { return at[spot][static_cast<std::size_t>(solver)]; }
-    /// Keeps the first complaint of a pair and class.
+    /// Keeps the first complaint of a pair and class, the first wrong decision where there is one.
     void complain(Complaint);
     void add(const Scores&);
     /// Over the levels.

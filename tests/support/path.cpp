@@ -24,7 +24,7 @@ Path above_ground(Random& random, Path path, const Shape& ground, const Quat& or
     return path;
 }
 
-Real least_gap(const GapOverTime& motion, double t_max)
+Real least_gap(const GapOverTime& motion, double t_max, int steps)
 {
     constexpr Real golden = 0.618033988749894848L;
     Real from = 0;
@@ -33,7 +33,7 @@ Real least_gap(const GapOverTime& motion, double t_max)
     Real high_t = from + golden * (to - from);
     Real low = motion.at(low_t).gap;
     Real high = motion.at(high_t).gap;
-    for (int i = 0; i < 48; ++i) {
+    for (int i = 0; i < steps; ++i) {
         if (low <= high) {
             to = high_t;
             high_t = low_t;

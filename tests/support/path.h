@@ -19,8 +19,8 @@ struct Path {
 /// Ground reaches everywhere: lifts A's start off it, mostly, and mostly on the side its normal points to.
 Path above_ground(Random&, Path, const Shape& ground, const Quat& orientation);
 
-/// The least gap within [0, t_max], by golden section: a local one where the motion turns.
-Real least_gap(const GapOverTime&, double t_max);
+/// The least gap within [0, t_max], by so many steps of golden section: a local one where the motion turns.
+Real least_gap(const GapOverTime&, double t_max, int steps = 48);
 
 /// Moves the target gap, or a radius, so that `measured` ends `beyond` above the target gap.
 Query tuned(Query, Real measured, double beyond);

@@ -11,6 +11,7 @@ namespace brink::support {
 namespace {
 
 constexpr int attempts = 32;
+constexpr int fine_steps = 80; // of golden section: the closest approach within 2e-17 of the step
 
 StressCase draw_scale(Random& random, const Pair& pair)
 {
@@ -34,7 +35,7 @@ StressCase draw_far(Random& random, const Pair& pair)
         // The same aim, from farther away.
         const Vec3 aim = d.path.from + random.between(0.1, 1.2) * d.path.by;
         d.path.by *= distance;
-        d.path.from = aim - random.between(0.1, 1.2) * d.path.by;
+        d.path.from = aim - random.between(0.1, 2) * d.path.by;
     }
     return {assemble(d), std::log10(distance)};
 }
@@ -66,13 +67,14 @@ StressCase draw_grazing(Random& random, const Pair& pair)
     const double relative = random.log_between(1e-16, 1e-2);
     const double beyond = random.chance(0.5) ? relative : -relative;
     for (int k = 0;; ++k) {
-        Draft d = draft(random, pair, ShapeStyle::any, random.between(1.5, 5));
+        const double distance = random.chance(0.7) ? random.between(1.5, 5) : random.log_between(5, 1e4);
+        Draft d = draft(random, pair, ShapeStyle::any, distance);
         if (auto* sphere = std::get_if<Sphere>(&d.a)) sphere->radius = 0; // to come
         const Query q = assemble(d);
         const GapOverTime motion(q);
         const Real start = motion.at(0).gap;
         const Real end = motion.at(1).gap;
-        const Real least = std::min({least_gap(motion, 1), start, end});
+        const Real least = std::min({least_gap(motion, 1, fine_steps), start, end});
         const Query graze = tuned(q, least, beyond);
         const bool passes = !unbounded(d.b) && least == end; // it would come nearer after the step
         if (k == attempts || (least > beyond + d.target_gap && least < 0.9 * start && !passes))
@@ -96,9 +98,9 @@ StressCase draw_touching(Random& random, const Pair& pair)
     const double first = described(Stress::touching).first;
     if (random.chance(0.1)) return {exactly_touching(random, pair), first};
     Draft d = draft(random, pair, ShapeStyle::any, random.between(2.5, 5));
-    if (random.chance(0.3)) d.path.by = -d.path.by;
+    if (random.chance(0.45)) d.path.by = -d.path.by;
     const double relative = random.log_between(1e-16, 1e-3);
-    const double sign = random.chance(0.75) ? 1 : -1;
+    const double sign = random.chance(0.8) ? 1 : -1;
     const bool none = random.chance(0.05);
     return {brought_near(assemble(d), none ? 0 : sign * relative, 0),
             none ? first + 0.5 : std::log10(relative)};
@@ -160,8 +162,9 @@ StressCase draw_parallel(Random& random, const Pair& pair)
     if (!axes) {
         const Grain grain = draw_grain(random, d.b);
         const Vec3 direction = rotated(d.turned_b, grain.along) - angle * rotated(d.turned_b, grain.across);
-        const Vec3 aim = random.in_cube(1);
-        d.path.by = random.between(2, 8) * direction;
+        const Vec3 inside = core_point(random, d.b, d.turned_b);
+        const Vec3 aim = random.chance(0.5) ? inside : random.in_cube(1);
+        d.path.by = (slides ? random.between(0.1, 2) : random.between(2, 8)) * direction;
         d.path.from = aim - random.between(0.1, 1.2) * d.path.by;
         if (slides || unbounded(d.b)) d.path.from = aim + 3 * rotated(d.turned_b, grain.across);
     }
