@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "campaign.h"
 
+#include "in_digits.h"
 #include "print.h"
 #include "progress.h"
 #include "witnesses.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <mutex>
 #include <thread>
 
@@ -47,6 +49,20 @@ void measure(Tally& tally, Trial& trial)
     tally.worst_under = std::min(tally.worst_under, static_cast<double>(over));
 }
 
+/// In 200 digits, where such a judge is to be had and has not spoken yet.
+Findings verify_once(Tally& tally, Case& c)
+{
+    if (c.verified || !verifiable(c.trial.query())) return {};
+    c.verified = true;
+    ++tally.verified;
+    return verified(c.trial.query(), c.trial.toi());
+}
+
+void append(Findings& all, Findings more)
+{
+    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
 /// A block of one pair's cases.
 Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_t end, Witnesses& witnesses)
 {
@@ -59,10 +75,10 @@ Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_
         Findings findings = judge_alone(c.trial);
         const bool odd = suspicious(c.trial.toi()) || !findings.empty();
         if (!pair.unbounded() && (odd || i % plan.referee_every == 0)) {
-            const Findings more = judge_by_reference(c.trial);
-            findings.insert(findings.end(), more.begin(), more.end());
+            append(findings, judge_by_reference(c.trial));
             measure(tally, c.trial);
         }
+        if (!findings.empty() || i % plan.verify_every == 0) append(findings, verify_once(tally, c));
         complain(tally, c, findings);
         const bool asked = i % plan.witness_every == 0 || odd;
         if (asked && !pair.unbounded() && Witnesses::present()) to_witness.push_back(std::move(c));
@@ -74,7 +90,9 @@ Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_
         tally.hangs += statements[i].hung ? 1U : 0U;
         for (const Fault& fault : statements[i].against_them)
             tally.add(fault);
-        complain(tally, to_witness[i], statements[i].against_brink);
+        Findings findings = statements[i].against_brink;
+        if (!findings.empty()) append(findings, verify_once(tally, to_witness[i]));
+        complain(tally, to_witness[i], findings);
     }
     return tally;
 }
@@ -160,7 +178,11 @@ std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
     Findings findings = judge(trial);
     Witnesses witnesses;
     const Statement said = witnesses.question(one).front();
-    findings.insert(findings.end(), said.against_brink.begin(), said.against_brink.end());
+    append(findings, said.against_brink);
+    if (verifiable(trial.query())) {
+        out += truth_in_words(trial.query());
+        append(findings, verified(trial.query(), trial.toi()));
+    }
     for (const support::Finding& f : findings)
         out += fmt::format("brink: {}: {}\n{}", f.check, f.detail, f.asked ? support::as_cpp(*f.asked) : "");
     for (const Fault& fault : said.against_them)

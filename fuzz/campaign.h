@@ -13,7 +13,9 @@ struct Plan {
     std::uint64_t seed = 1;
     std::uint64_t first = 0;
     int threads = 1;
-    std::uint64_t referee_every = 4;  // every which case the reference judges; suspicious ones always
+    std::uint64_t referee_every = 4; // every which case the reference judges; suspicious ones always
+    std::uint64_t verify_every =
+        16; // every which case the referee in 200 digits judges; disputed ones always
     std::uint64_t witness_every = 16; // every which case FCL and libccd are asked
 };
 

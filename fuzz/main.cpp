@@ -68,6 +68,10 @@ const CLI::App* add_run(CLI::App& app, Arguments& arguments)
     run->add_option("--referee-every", plan.referee_every, "every which case the reference judges")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    run->add_option("--verify-every", plan.verify_every,
+                    "every which case of a closed form the referee judges in 200 digits")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     run->add_option("--witness-every", plan.witness_every, "every which case FCL and libccd judge")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();

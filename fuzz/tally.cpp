@@ -25,10 +25,10 @@ std::uint64_t fault_count(const Tally& tally)
 std::string row(const Pair& pair, const Tally& tally)
 {
     return fmt::format(
-        "{:20} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>9} {:>8} {:>9.1e} {:>9.1e} {:>6} {:>5} {:>5}\n",
+        "{:20} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>9} {:>9} {:>8} {:>9.1e} {:>9.1e} {:>6} {:>5} {:>5}\n",
         pair.name(), judges(pair), tally.cases, count(tally, Status::hit), count(tally, Status::touching),
-        count(tally, Status::separated), count(tally, Status::undecided), tally.refereed, tally.witnessed,
-        tally.worst_over, tally.worst_under, fault_count(tally), tally.crashes + tally.hangs,
+        count(tally, Status::separated), count(tally, Status::undecided), tally.refereed, tally.verified,
+        tally.witnessed, tally.worst_over, tally.worst_under, fault_count(tally), tally.crashes + tally.hangs,
         tally.brink_findings());
 }
 
@@ -65,6 +65,7 @@ void Tally::add(const Tally& other)
     for (std::size_t i = 0; i < by_status.size(); ++i)
         by_status[i] += other.by_status[i];
     refereed += other.refereed;
+    verified += other.verified;
     witnessed += other.witnessed;
     worst_over = std::max(worst_over, other.worst_over);
     worst_under = std::min(worst_under, other.worst_under);
@@ -107,13 +108,14 @@ std::string judges(const Pair& pair)
 
 std::string report(const std::vector<Pair>& pairs, const std::vector<Tally>& tallies)
 {
-    std::string out =
-        fmt::format("{:20} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>9} {:>8} {:>9} {:>9} {:>6} {:>5} {:>5}\n",
-                    "pair", "judges", "cases", "hits", "touching", "separated", "undec.", "refereed",
-                    "by FCL", "over", "under", "faults", "crash", "brink");
+    std::string out = fmt::format(
+        "{:20} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>9} {:>9} {:>8} {:>9} {:>9} {:>6} {:>5} {:>5}\n", "pair",
+        "judges", "cases", "hits", "touching", "separated", "undec.", "refereed", "verified", "by FCL",
+        "over", "under", "faults", "crash", "brink");
     for (std::size_t i = 0; i < pairs.size(); ++i)
         out += row(pairs[i], tallies[i]);
-    out += "over, under: extremes of gap - target_gap at t of a hit at tolerance <= 1e-9, by the reference. "
+    out += "verified: by the referee in 200 digits. over, under: extremes of gap - target_gap at t of a hit "
+           "at tolerance <= 1e-9, by the reference. "
            "faults: of FCL and "
            "libccd, by "
            "cause below.\ncrash: of their process, hangs included. brink: disagreements that are brink's.\n";

@@ -37,7 +37,7 @@ struct Complaint {
 struct Tally {
     std::uint64_t cases = 0;
     std::array<std::uint64_t, 5> by_status{};
-    std::uint64_t refereed = 0, witnessed = 0;
+    std::uint64_t refereed = 0, verified = 0, witnessed = 0; // verified: by the referee in 200 digits
     double worst_over = 0;                // gap - target_gap at t for a hit, by the reference: largest
     double worst_under = 0;               // and least
     std::uint64_t given_up = 0;           // by the reference, out of evaluations

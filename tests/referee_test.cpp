@@ -156,3 +156,36 @@ TEST_CASE("referee: capsule against capsule by hand")
     misses_by(falling(upright, Vec3(2, -2, 0), Vec3(0, 4, 0), upright), 1);
     CHECK(same(truth(falling(upright, Vec3(0, 0, 0), Vec3(4, 0, 0), lying)).least_gap, -1));
 }
+
+TEST_CASE("referee: says when rounding decides, and only then")
+{
+    // Turned by (2, 0, 0, 1) / sqrt(5), exactly 3-4-5: the end lies at (3, 4, 0), a sphere of radius 1
+    // touches it.
+    const double fifth = std::sqrt(0.2);
+    const Capsule needle{Vec3(0, 0, 0), Vec3(5, 0, 0), 0};
+    Query q = falling(Sphere{1}, Vec3(3, 5, 0), Vec3(0, 1, 0), needle);
+    q.motion_b.start.orientation = Quat(2 * fifth, 0, 0, fifth);
+    CHECK(truth(q).in_doubt);
+    const Toi miss{.status = Status::separated, .t = 1};
+    CHECK(verify(q, miss).empty());
+    q.options.detail = Detail::time_only;
+    CHECK(verify(q, {.status = Status::touching, .t = 0}).empty());
+    q.motion_a.start.position.y() = std::nextafter(5, 6);
+    CHECK(!truth(q).in_doubt);
+    CHECK(!truth(q).started);
+    CHECK(!verify(q, {.status = Status::touching, .t = 0}).empty());
+
+    // A quarter turn by a quaternion off unit is exact.
+    q.motion_b.start.orientation = Quat(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
+    q.motion_a.start.position = Vec3(0, 6, 0);
+    CHECK(!truth(q).in_doubt);
+    CHECK(truth(q).started);
+
+    // Small is not in doubt; smaller than 200 digits of the scale is.
+    const double little = 0x1p-334;
+    const Query close{Sphere{little}, resting(Vec3(2 * little, 0, 0)), Sphere{0.5 * little}, resting(), {}};
+    CHECK(!truth(close).started);
+    CHECK(!truth(close).in_doubt);
+    const Query shifted = falling(Sphere{1}, Vec3(2, std::ldexp(1, -600), 0), Vec3(0, 1, 0), Sphere{1});
+    CHECK(truth(shifted).in_doubt); // apart by 2^-1202
+}

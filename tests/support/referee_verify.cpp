@@ -173,7 +173,8 @@ void judge_contact(const Hearing& h, Findings& out)
         out.push_back({"normal", "not that of the contact"});
     const Digits3 between = digits3(toi.point_b) - digits3(toi.point_a);
     const Digits world = norm(digits3(toi.point_a)) + norm(digits3(toi.point_b));
-    if (!zero && !(norm(between - Digits(toi.gap) * n) <= 4 * h.allowed + 8 * eps * world))
+    const bool finite = toi.point_a.allFinite() && toi.point_b.allFinite();
+    if (!finite || (!zero && !(norm(between - Digits(toi.gap) * n) <= 4 * h.allowed + 8 * eps * world)))
         out.push_back({"points", "point_b - point_a is not gap * normal"});
 }
 
