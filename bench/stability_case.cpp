@@ -107,10 +107,10 @@ void judge_brink(Score& score, const Toi& toi)
 std::string objection(const Asked& asked, bool wrong, bool late)
 {
     std::string what;
-    if (wrong) what += "wrong decision; ";
-    if (late) what += "late; ";
     for (const support::Finding& f : verify(asked.query, asked.toi))
         what += fmt::format("{}: {}; ", f.check, f.detail);
+    if (what.empty() && wrong) what = "wrong decision; ";
+    if (what.empty() && late) what = "late; ";
     return what.empty() ? what : as_cpp(asked.query, what + support::in_words(asked.toi));
 }
 
