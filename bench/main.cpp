@@ -2,6 +2,7 @@
 #include "pair_bench.h"
 #include "pair_sample.h"
 #include "pairs.h"
+#include "stability.h"
 #include "tunnelling.h"
 
 #include <CLI/CLI.hpp>
@@ -22,9 +23,38 @@ struct Arguments {
     TunnellingOptions tunnelling;
     CLI::App* tunnelling_part = nullptr;
     CLI::App* pairs_part = nullptr;
+    StabilityOptions stability;
+    CLI::App* stability_part = nullptr;
     std::vector<std::string> pairs{"all"};
     bool rows = false; // only print this build's rows
 };
+
+std::vector<std::string> or_all(std::vector<std::string> names)
+{
+    names.emplace_back("all");
+    return names;
+}
+
+void describe_stability(CLI::App& part, StabilityOptions& options)
+{
+    part.add_option("--cases", options.cases,
+                    "of each pair and class; 0: 20,000 of two spheres, 2,000 of the others")
+        ->capture_default_str();
+    part.add_option("--pairs", options.pairs, "which, separated by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(or_all(stability_pairs())))
+        ->capture_default_str();
+    part.add_option("--classes", options.classes, "of difficulty: which, separated by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(or_all(stability_classes())))
+        ->capture_default_str();
+    part.add_option("--seed", options.seed, "of the random cases")->capture_default_str();
+    part.add_option("--first", options.first, "index of the first case: to go on where another run ended")
+        ->capture_default_str();
+    part.add_option("--threads", options.threads, "workers, each with an FCL process of its own; 0: all")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+}
 
 void describe(CLI::App& app, Arguments& arguments)
 {
@@ -33,7 +63,11 @@ void describe(CLI::App& app, Arguments& arguments)
         "tunnelling", "bodies through thin walls: discrete checks, FCL and brink; which are lost");
     arguments.pairs_part =
         app.add_subcommand("pairs", "ns per query of every closed-form pair, FCL beside it");
-    for (CLI::App* part : {arguments.tunnelling_part, arguments.pairs_part})
+    arguments.stability_part = app.add_subcommand(
+        "stability", "accuracy of t and wrong decisions where it is hard, against 200 digits; "
+                     "textbook formulas and FCL beside it");
+    describe_stability(*arguments.stability_part, arguments.stability);
+    for (CLI::App* part : {arguments.tunnelling_part, arguments.pairs_part, arguments.stability_part})
         part->add_option("--out", arguments.out, "folder for CSVs and pictures")->capture_default_str();
     arguments.tunnelling_part
         ->add_option("--crossings", arguments.tunnelling.crossings,
@@ -42,11 +76,9 @@ void describe(CLI::App& app, Arguments& arguments)
         ->capture_default_str();
     arguments.tunnelling_part->add_option("--seed", arguments.tunnelling.seed, "of the random crossings")
         ->capture_default_str();
-    std::vector<std::string> names = pair_names();
-    names.emplace_back("all");
     arguments.pairs_part->add_option("--pairs", arguments.pairs, "which, separated by commas")
         ->delimiter(',')
-        ->check(CLI::IsMember(names))
+        ->check(CLI::IsMember(or_all(pair_names())))
         ->capture_default_str();
     arguments.pairs_part->add_flag(
         "--rows", arguments.rows,
@@ -71,6 +103,7 @@ int run(const Arguments& arguments, const std::filesystem::path& program)
     }
     const Output output(arguments.out);
     if (arguments.tunnelling_part->parsed()) return run_tunnelling(output, arguments.tunnelling) == 0 ? 0 : 1;
+    if (arguments.stability_part->parsed()) return run_stability(output, arguments.stability) == 0 ? 0 : 1;
     run_pairs(output, names, program.parent_path() / "brink-bench-v3");
     return 0;
 }
@@ -84,7 +117,7 @@ int main(int argc, char** argv)
     describe(app, arguments);
     try {
         app.parse(argc, argv);
-        if (app.get_subcommands().empty()) return explain(app, "which part? tunnelling or pairs");
+        if (app.get_subcommands().empty()) return explain(app, "which part? tunnelling, pairs or stability");
         return run(arguments, std::filesystem::canonical("/proc/self/exe"));
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);

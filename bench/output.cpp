@@ -43,6 +43,11 @@ std::string Output::draw(std::string_view stem, std::string_view script) const
 
 std::string Output::path_of(std::string_view name) const { return (folder_ / name).string(); }
 
+std::string thousands(std::int64_t n)
+{
+    return n < 1000 ? std::to_string(n) : fmt::format("{},{:03}", thousands(n / 1000), n % 1000);
+}
+
 std::string shell_quoted(std::string_view text)
 {
     std::string quoted = "'";

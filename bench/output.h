@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -26,6 +27,9 @@ public:
 private:
     std::filesystem::path folder_;
 };
+
+/// 1234567 as "1,234,567"; n >= 0.
+std::string thousands(std::int64_t n);
 
 /// `text` between single quotes, for a shell.
 std::string shell_quoted(std::string_view text);

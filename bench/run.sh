@@ -10,7 +10,10 @@ cmake -S . -B build -G Ninja
 cmake --build build --target brink-bench brink-bench-v3
 build/bench/brink-bench tunnelling
 build/bench/brink-bench pairs
+status=0
+build/bench/brink-bench stability || status=$? # 1: an answer broke a promise
 
 echo
 echo "Pictures:"
 ls "$PWD"/out/*.svg "$PWD"/out/*.png
+exit "$status"

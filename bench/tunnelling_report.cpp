@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tunnelling_report.h"
 
+#include "output.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -19,11 +21,6 @@ std::string share(int part, int whole)
     if (part == 0) return "0";
     if (percent(part, whole) < 0.005) return "<0.01";
     return fmt::format("{:.{}f}", percent(part, whole), percent(part, whole) < 10 ? 2 : 1);
-}
-
-std::string thousands(int n)
-{
-    return n < 1000 ? std::to_string(n) : fmt::format("{},{:03}", thousands(n / 1000), n % 1000);
 }
 
 void add_scene(fmt::memory_buffer& text, const std::vector<Row>& rows, const Scene& scene)

@@ -165,18 +165,23 @@ Quat draw_orientation(Random& random)
     return turned;
 }
 
-Quat nearly(Random& random, const Quat& q)
+Quat turned_by(const Quat& q, const Vec3& turn)
 {
-    const double angle = random.log_between(1e-14, 1e-1);
-    const Vec3 half = 0.5 * angle * random.unit();
-    if (random.chance(0.3)) return q;
-    // q times (1, half), normalised.
+    // q times (1, turn / 2), normalised.
+    const Vec3 half = 0.5 * turn;
     const double w = q.w() - (q.x() * half.x() + q.y() * half.y() + q.z() * half.z());
     const double x = q.x() + q.w() * half.x() + (q.y() * half.z() - q.z() * half.y());
     const double y = q.y() + q.w() * half.y() + (q.z() * half.x() - q.x() * half.z());
     const double z = q.z() + q.w() * half.z() + (q.x() * half.y() - q.y() * half.x());
     const double length = std::sqrt(w * w + x * x + y * y + z * z);
     return {w / length, x / length, y / length, z / length};
+}
+
+Quat nearly(Random& random, const Quat& q)
+{
+    const double angle = random.log_between(1e-14, 1e-1);
+    const Vec3 turn = angle * random.unit();
+    return random.chance(0.3) ? q : turned_by(q, turn);
 }
 
 } // namespace brink::support

@@ -26,6 +26,9 @@ Box thin_wall(Random&);
 /// Anything from the identity and quarter turns to random, some rounded to float or a little off unit.
 Quat draw_orientation(Random&);
 
+/// Turned first, in its own frame, by a small rotation vector: to first order, in radians.
+Quat turned_by(const Quat&, const Vec3& turn);
+
 /// Turned from the given orientation by nothing or 1e-1 to 1e-14.
 Quat nearly(Random&, const Quat&);
 

@@ -2,9 +2,7 @@
 #include "query.h"
 
 #include "draw.h"
-#include "reference.h"
-
-#include <algorithm>
+#include "path.h"
 
 namespace brink::support {
 namespace {
@@ -27,16 +25,6 @@ ShapeStyle style(Twist twist)
     return twist == Twist::exact ? ShapeStyle::integer : ShapeStyle::any;
 }
 
-bool unbounded(const Shape& shape)
-{
-    return std::holds_alternative<Plane>(shape) || std::holds_alternative<HalfSpace>(shape);
-}
-
-/// Where A starts relative to B, and how it moves relative to B.
-struct Path {
-    Vec3 from, by;
-};
-
 Path draw_path(Random& random, Twist twist)
 {
     if (twist == Twist::exact) {
@@ -53,21 +41,6 @@ Path draw_path(Random& random, Twist twist)
     Vec3 by = (aim - from) / arrival;
     if (twist == Twist::start && random.chance(0.5)) by = random.in_cube(3);
     return {from, by};
-}
-
-/// Ground reaches everywhere: lifts A's start off it, mostly, and mostly on the side its normal points to.
-Path above_ground(Random& random, Path path, const Shape& ground, const Quat& orientation)
-{
-    const Placed placed = place(ground, RealPose{{}, rotation_matrix(orientation)});
-    const Vec3 normal = rounded(placed.normal);
-    const double height = normal.dot(path.from) - static_cast<double>(placed.offset);
-    const bool below = std::holds_alternative<Plane>(ground) && random.chance(0.3);
-    const double wanted = random.between(0.3, 4) * (below ? -1 : 1);
-    if (random.chance(0.9)) path.from += (wanted - height) * normal;
-    const double along = normal.dot(path.by);
-    const double speed = random.between(0.2, 1.8) * wanted;
-    if (random.chance(0.7)) path.by -= (along + speed) * normal;
-    return path;
 }
 
 /// Up to 60 degrees, up to 300, several turns; seldom next to nothing.
@@ -133,52 +106,6 @@ Query draw_query(Random& random, const Pair& pair, bool rotates, Twist twist)
     if (rotates && who != 0) q.motion_b = draw_turning(random, q.motion_b);
     q.options = draw_options(random, twist);
     if (random.chance(0.01)) q.motion_a.translation = q.motion_b.translation;
-    return q;
-}
-
-/// The least gap, by golden section: a local one where the motion turns.
-Real least_gap(const GapOverTime& motion, double t_max)
-{
-    constexpr Real golden = 0.618033988749894848L;
-    Real from = 0;
-    Real to = t_max;
-    Real low_t = to - golden * (to - from);
-    Real high_t = from + golden * (to - from);
-    Real low = motion.at(low_t).gap;
-    Real high = motion.at(high_t).gap;
-    for (int i = 0; i < 48; ++i) {
-        if (low <= high) {
-            to = high_t;
-            high_t = low_t;
-            high = low;
-            low_t = to - golden * (to - from);
-            low = motion.at(low_t).gap;
-        } else {
-            from = low_t;
-            low_t = high_t;
-            low = high;
-            high_t = from + golden * (to - from);
-            high = motion.at(high_t).gap;
-        }
-    }
-    return std::min(low, high);
-}
-
-/// Moves the target gap, or a radius, so that `measured` ends `beyond` above the target gap.
-Query tuned(Query q, Real measured, double beyond)
-{
-    const Real excess = measured - static_cast<Real>(q.options.target_gap) - static_cast<Real>(beyond);
-    const auto grow = [&](double radius) { return static_cast<double>(radius + excess); };
-    if (auto* s = std::get_if<Sphere>(&q.a); s != nullptr && grow(s->radius) >= 0) {
-        s->radius = grow(s->radius);
-        return q;
-    }
-    if (auto* s = std::get_if<Capsule>(&q.a); s != nullptr && grow(s->radius) >= 0) {
-        s->radius = grow(s->radius);
-        return q;
-    }
-    const auto target = static_cast<double>(q.options.target_gap + excess);
-    if (target >= 0) q.options.target_gap = target;
     return q;
 }
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "query.h"
+#include "random.h"
+#include "reference.h"
+
+/// How a query is aimed: what the generators of nasty queries share.
+namespace brink::support {
+
+/// A plane or half-space.
+bool unbounded(const Shape&);
+
+/// Where A starts relative to B, and how it moves relative to B.
+struct Path {
+    Vec3 from, by;
+};
+
+/// Ground reaches everywhere: lifts A's start off it, mostly, and mostly on the side its normal points to.
+Path above_ground(Random&, Path, const Shape& ground, const Quat& orientation);
+
+/// The least gap within [0, t_max], by so many steps of golden section: a local one where the motion turns.
+Real least_gap(const GapOverTime&, double t_max, int steps = 48);
+
+/// Moves the target gap, or a radius, so that `measured` ends `beyond` above the target gap.
+Query tuned(Query, Real measured, double beyond);
+
+} // namespace brink::support
