@@ -51,11 +51,11 @@ template <class Nearest>
     const V3 at = m.from + c.t * m.by, met = nearest(at);
     // A guess that is off leaves a gap behind.
     if (!(norm_squared(at - met) <= squared(r.radius + tolerance::loose_axis * r.slack))) return {.t = early};
-    if (c.t_upper > m.t_max) return {Found::doubt, c.t, infinity, true, at, met, m.by, false};
+    if (c.t_upper > m.t_max) return {Found::doubt, c.t, infinity, true, at, met, -axis, false};
     const V3 later = m.from + c.t_upper * m.by;
     const double inner = r.radius - r.slack;
     if (!(inner > 0 && norm_squared(later - nearest(later)) <= squared(inner))) return {.t = early};
-    return {Found::hit, c.t, c.t_upper, false, at, met, m.by, false};
+    return {Found::hit, c.t, c.t_upper, false, at, met, -axis, false};
 }
 
 /// The same against a flat face: the point proven to enter the slab of the radius between the face's sides.

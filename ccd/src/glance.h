@@ -46,10 +46,15 @@ static inline double size(const Plane& s) { return std::fabs(s.offset); }
 static inline double size(const HalfSpace& s) { return std::fabs(s.offset); }
 
 /// The lengths of a valid query, added up.
+/// A pivot's part in that: nothing where `translates` asks for none.
+template <class Shape> static inline double arm(const Motion& m)
+{
+    return std::is_same_v<Shape, Sphere> ? 0 : sum(m.pivot);
+}
 template <class A, class B> static inline double lengths(const Query& q, const Approach& m)
 {
-    return sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + sum(q.motion_a.pivot) +
-           sum(q.motion_b.pivot) + size(as<A>(q.a)) + size(as<B>(q.b)) + m.target_gap;
+    return sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + arm<A>(q.motion_a) + arm<B>(q.motion_b) +
+           size(as<A>(q.a)) + size(as<B>(q.b)) + m.target_gap;
 }
 
 /// All of them, without a branch for each.

@@ -51,18 +51,13 @@ static inline V3 across(V3 start, V3 edge, V3 point)
     return off - (dot(off, edge) / norm_squared(edge)) * edge;
 }
 
-/// The normal where the point touches the edge itself: against the motion, across the edge.
-static inline V3 against_edge(V3 by, V3 edge) { return by - (dot(by, edge) / norm_squared(edge)) * edge; }
-
 /// Met at an edge between its ends, or at a corner: proven along the axis from there.
 template <class Height>
 [[gnu::always_inline]] inline Entry proven_on_edge(const Approach& m, const Reach& r, V3 start, V3 edge,
                                                    double early, Height height)
 {
     const V3 axis = across(start, edge, m.from + early * m.by);
-    Entry e = proven(m, r, axis, height(axis), early, [&](V3 p) { return nearest_on_edge(start, edge, p); });
-    e.facing = against_edge(m.by, edge);
-    return e;
+    return proven(m, r, axis, height(axis), early, [&](V3 p) { return nearest_on_edge(start, edge, p); });
 }
 template <class Height>
 [[gnu::always_inline]] inline Entry proven_at_corner(const Approach& m, const Reach& r, V3 corner,

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "crossing.h"
+#include "glance.h"
 #include "pairs.h"
 #include "quadratic.h"
+
+#include <bit>
+#include <cstdint>
 
 namespace brink {
 
@@ -52,6 +56,18 @@ Clearance clearance(const TwoPairs& xy, const TwoPairs& zr)
             size(xy.lo) + size(zr.lo) + size(high.lo) + size(low.lo) + size(sum.lo)};
 }
 
+/// The double below or above t + step, t > 0, by its last place at most.
+double rounded_down(double t, double step)
+{
+    const Pair sum = two_sum(t, step);
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(sum.hi) - (sum.lo < 0 ? 1U : 0U));
+}
+double rounded_up(double t, double step)
+{
+    const Pair sum = two_sum(t, step);
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(sum.hi) + (sum.lo > 0 ? 1U : 0U));
+}
+
 /// A root of |from + t by|^2 = radius^2 to the last few places, from one that is off by any rounding: how far
 /// the point is from the sphere at that time, taken exactly, over how fast it nears it.
 [[gnu::always_inline]] inline Entry polished(double t, const Approach& m, Pair radius, double lengths)
@@ -67,20 +83,14 @@ Clearance clearance(const TwoPairs& xy, const TwoPairs& zr)
     const double doubt = tolerance::polish_slack * lengths * pace +
                          std::fabs(step) * (bend + tolerance::rounded_step * travel * pace);
     if (!(nearing > 0 && bend < tolerance::largest_bend && doubt <= tolerance::sharp_root * t)) return {};
-    if (over.squared == 0 && over.dust[0] + over.dust[1] == 0 && t <= m.t_max)
-        return {Found::hit, t, t, false, m.from + t * m.by, {}, m.by, false};
-    const double first = (t + (step - doubt)) * tolerance::downwards,
-                 last = (t + (step + doubt)) * tolerance::upwards;
+    const bool at_it = over.squared == 0 && over.dust[0] + over.dust[1] == 0 && t <= m.t_max;
+    const double first = at_it ? t : rounded_down(t, step - doubt),
+                 last = at_it ? t : rounded_up(t, step + doubt);
     if (first > m.t_max) return {.found = Found::apart};
     const bool late = last > m.t_max;
-    return {late ? Found::doubt : Found::hit,
-            first,
-            late ? infinity : last,
-            late,
-            m.from + first * m.by,
-            {},
-            m.by,
-            false};
+    const V3 centre = m.from + first * m.by,
+             facing = radius.hi > tolerance::core_noise * lengths ? -centre : m.by;
+    return {late ? Found::doubt : Found::hit, first, late ? infinity : last, late, centre, {}, facing, false};
 }
 
 } // namespace
@@ -93,24 +103,25 @@ Entry sphere_sphere(const Sphere& a, const Sphere& b, const Approach& m)
     const Pair radius = reach_of(a, b, m);
     const double distance_squared = norm_squared(m.from), reach_squared = radius.hi * radius.hi;
     double c = distance_squared - reach_squared;
-    if (c < tolerance::cancelled * distance_squared) {
+    if (!(c > tolerance::cancelled * distance_squared)) {
         const Four from = difference(m.motion_a.start.position, m.motion_b.start.position, radius);
         c = clearance(from.xy, from.zr).squared;
         const double doubt = tolerance::cancelled_slack * distance_squared;
         if (c < -doubt) return {.found = Found::start};
-        if (c < doubt) return {};
+        if (!(c > doubt)) return {};
     }
-    const double along = dot(m.from, m.by);
-    if (along >= 0) return {.found = Found::apart};
-    const double speed_squared = norm_squared(m.by), across = norm_squared(cross(m.from, m.by));
-    const double lengths = sum_of_magnitudes(m.from) + radius.hi, ring = tolerance::ring * lengths;
-    const double discriminant = speed_squared * reach_squared - across;
+    const double along = dot(m.from, m.by), speed_squared = norm_squared(m.by);
+    const double lengths = sum_of_magnitudes(m.from) + radius.hi,
+                 all_lengths = lengths + sum_of_magnitudes(m.by);
+    const double ring = tolerance::ring * lengths;
+    const double discriminant = speed_squared * reach_squared - norm_squared(cross(m.from, m.by));
     const double doubt = speed_squared * ring * (radius.hi + radius.hi + ring) + tolerance::nothing;
-    if (discriminant < -doubt) return {.found = Found::apart};
+    const double turning = along + speed_squared * m.t_max, at_end = c + (along + turning) * m.t_max;
+    const bool short_of_it = all(turning<0, at_end> tolerance::end_slack * squared(all_lengths));
+    if (!all(along < 0, discriminant >= -doubt, !short_of_it)) return {.found = Found::apart};
     if (!(discriminant > doubt)) return {};
     const double t = c / (std::sqrt(discriminant) - along);
-    if (t > 2 * m.t_max) return {.found = Found::apart};
-    return polished(t, m, radius, lengths + sum_of_magnitudes(m.by));
+    return polished(t, m, radius, all_lengths);
 }
 
 } // namespace brink

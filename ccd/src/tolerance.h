@@ -8,9 +8,8 @@ namespace brink::tolerance {
 inline constexpr double unit_roundoff = 0x1p-53;
 
 /// Where two cores come nearer than this times (relative position + relative motion), the vector between them
-/// is mostly rounding: four roundings of each coordinate, a few times over. The contact feature gives the
-/// normal.
-inline constexpr double core_noise = 64 * unit_roundoff;
+/// has lost half of its digits to rounding. The feature that met gives the normal.
+inline constexpr double core_noise = 0x1p-27;
 
 /// Rounding of a pose and of one separation along an axis, as a multiple of the sum of the lengths and arcs
 /// that enter them: the operations counted in numerics.md.
@@ -81,6 +80,10 @@ inline constexpr double cancelled_slack = 0x1p-90;
 /// if a path meets them: four roundings of each component of a cross product, and the position's own.
 inline constexpr double ring = 10 * unit_roundoff;
 
+/// Rounding of the squared distance at the end of the step, as a part of the square of all lengths in it:
+/// eight roundings of a square, sixteen of a product of two different ones.
+inline constexpr double end_slack = 16 * unit_roundoff;
+
 /// What products of lengths near 2^-60 or smaller may lose to the end of the range of doubles.
 inline constexpr double nothing = 0x1p-900;
 
@@ -97,10 +100,6 @@ inline constexpr double largest_bend = 0.25;
 
 /// A root known to this part of itself is sharp; otherwise exact numbers are asked.
 inline constexpr double sharp_root = 4 * unit_roundoff;
-
-/// Past the rounding of a sum and of this product.
-inline constexpr double downwards = 1 - 0x1p-51;
-inline constexpr double upwards = 1 + 0x1p-51;
 
 /// Lengths are scaled by a power of two unless their sum lies between these: products of eight then stay far
 /// from both ends of the range of doubles.

@@ -14,4 +14,13 @@ inline Motion moving(const Vec3& position, const Vec3& translation)
 /// A body at rest at `position`, unturned.
 inline Motion resting(const Vec3& position = Vec3(0, 0, 0)) { return moving(position, Vec3(0, 0, 0)); }
 
+/// Whether contact at time t lies in the answer's bracket, which must be as narrow as a few dozen roundings.
+inline bool brackets(const Toi& toi, double t)
+{
+    return toi.status == Status::hit && toi.t <= t && t <= toi.t_upper && toi.t_upper - toi.t <= 0x1p-43;
+}
+
+/// Whether two points are the same but for that.
+inline bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() <= 0x1p-40; }
+
 } // namespace brink::support

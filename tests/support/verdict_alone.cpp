@@ -64,7 +64,7 @@ Findings judge_detail(Trial& trial)
     return {{"time_only", in_words(bare), q}};
 }
 
-/// t_max = t changes nothing; a t_max below t is separated.
+/// A t_max by which contact is proven changes nothing; a t_max below t is separated.
 Findings judge_t_max(Trial& trial)
 {
     const Toi& toi = trial.toi();
@@ -74,10 +74,10 @@ Findings judge_t_max(Trial& trial)
     const bool looks_ahead =
         toi.status == Status::touching && q.options.start_contact == StartContact::ignore_if_separating;
     if ((toi.status == Status::hit || toi.status == Status::touching) && !looks_ahead) {
-        q.options.t_max = toi.t;
+        q.options.t_max = toi.t_upper < infinity ? toi.t_upper : toi.t;
         const Toi there = answer(q);
         if (there.status != toi.status || !same_bits(there.t, toi.t) || there.normal != toi.normal)
-            out.push_back({"t_max = t", in_words(there), q});
+            out.push_back({"t_max = t_upper", in_words(there), q});
     }
     if ((toi.status == Status::hit || toi.status == Status::separated) && toi.t > 0) {
         q.options.t_max = toi.t * (1 - 1e-6);
