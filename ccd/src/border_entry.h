@@ -2,96 +2,102 @@
 #pragma once
 
 #include "crossing.h"
+#include "glance.h"
+#include "whole_turn.h"
 
-#include <brink/shape.h>
+#include <algorithm>
 
-#include <type_traits>
-
+/// A sphere or capsule against a plane or half-space: whichever end lies lowest stays lowest, so one linear
+/// equation decides. First in double arithmetic, then, where it hits, in unevaluated pairs: a rotation matrix
+/// of doubles is off by some ten roundings, which a long lever arm shows.
 namespace brink {
 
-/// A plane's or half-space's normal in world axes, every component within a few u of the largest (a rotation
-/// matrix of doubles is off by ten times that, which a long lever arm shows), times the squared norm of the
-/// quaternion; and the offset times that.
-struct TurnedBorder {
-    V3 normal;
-    double offset;
-    bool solid;
+namespace border {
+
+static inline int ends(const Sphere&) { return 1; }
+static inline int ends(const Capsule&) { return 2; }
+static inline V3 end(const Sphere&, int) { return {}; }
+static inline V3 end(const Capsule& a, int i) { return load(i == 0 ? a.a : a.b); }
+
+template <class Border> constexpr bool is_solid = std::is_same_v<Border, HalfSpace>;
+
+/// Lowest and highest end over the border at t = 0, and how fast A rises.
+struct Heights {
+    double lowest, highest, rate;
 };
 
-namespace border {
-static inline Pair sum(Pair a, Pair b)
+/// The same for each end in pairs, times a common factor, less the reach.
+struct Sharp {
+    Pair height[2];
+    Pair rate, reach;
+};
+
+template <class A, class Border> Sharp sharp(const A& a, const Border& b, const Approach& m, Pair radius)
 {
-    const Pair s = two_sum(a.hi, b.hi);
-    return {s.hi, s.lo + (a.lo + b.lo)};
+    const WholeTurn<Pair> turn_b(m.motion_b.start.orientation);
+    const XYZ<Pair> local = pairs(load(b.normal)), normal = turn_b * local;
+    const XYZ<Pair> from{{m.from.x, m.from_low().x}, {m.from.y, m.from_low().y}, {m.from.z, m.from_low().z}};
+    const XYZ<Pair> by{{m.by.x, m.by_low().x}, {m.by.y, m.by_low().y}, {m.by.z, m.by_low().z}};
+    const Pair base = dot(normal, from) - Pair{b.offset} * turn_b.norm_squared;
+    const Pair reach = radius * turn_b.norm_squared * square_root(dot(local, local));
+    if constexpr (std::is_same_v<A, Sphere>) {
+        return {{base, {}}, dot(normal, by), reach};
+    } else {
+        const WholeTurn<Pair> turn_a(m.motion_a.start.orientation);
+        const Pair factor = turn_a.norm_squared;
+        const auto height = [&](int i) { return factor * base + dot(normal, turn_a * pairs(end(a, i))); };
+        return {{height(0), height(1)}, factor * dot(normal, by), factor * reach};
+    }
 }
-static inline Pair minus(Pair a) { return {-a.hi, -a.lo}; }
-static inline Pair twice(Pair a) { return {2 * a.hi, 2 * a.lo}; }
-/// (a, b, c) . n
-static inline double dot(Pair a, Pair b, Pair c, V3 n)
-{
-    const Pair x = two_product(a.hi, n.x), y = two_product(b.hi, n.y), z = two_product(c.hi, n.z);
-    const Pair s = sum(sum(x, y), z);
-    return s.hi + (s.lo + (a.lo * n.x + b.lo * n.y + c.lo * n.z));
-}
+
 } // namespace border
 
-template <class Shape> TurnedBorder border_of(const Shape& b, const Approach& m)
+template <class A, class Border> Entry border_entry(const A& a, const Border& b, const Approach& m)
 {
-    constexpr bool solid = std::is_same_v<Shape, HalfSpace>;
-    const double* q = m.motion_b.start.orientation.coeffs().data();
-    const double x = q[0], y = q[1], z = q[2], w = q[3];
-    const V3 n = load(b.normal);
-    if (x == 0 && y == 0 && z == 0 && w * w == 1) return {n, b.offset, solid};
     using namespace border;
-    const Pair xx = two_product(x, x), yy = two_product(y, y), zz = two_product(z, z), ww = two_product(w, w);
-    const Pair xy = two_product(x, y), xz = two_product(x, z), yz = two_product(y, z);
-    const Pair wx = two_product(w, x), wy = two_product(w, y), wz = two_product(w, z);
-    const Pair x_y = sum(xx, minus(yy)), w_z = sum(ww, minus(zz));
-    const V3 normal{
-        dot(sum(w_z, x_y), twice(sum(xy, minus(wz))), twice(sum(xz, wy)), n),
-        dot(twice(sum(xy, wz)), sum(w_z, minus(x_y)), twice(sum(yz, minus(wx))), n),
-        dot(twice(sum(xz, minus(wy))), twice(sum(yz, wx)), sum(sum(ww, zz), minus(sum(xx, yy))), n)};
-    const Pair norm_squared = sum(sum(xx, yy), sum(zz, ww));
-    return {normal, b.offset * norm_squared.hi, solid};
-}
-
-/// The convex hull of N moving points, grown by `radius`, against a plane or half-space at rest: whichever
-/// point lies lowest stays lowest, so one linear equation decides. `extent`: how far a rotation has moved the
-/// points from A's origin.
-template <int N>
-Entry border_entry(const V3 (&point)[N], const TurnedBorder& border, const Approach& m, double radius,
-                   double extent)
-{
+    const Rotation turn_b = m.turn_b(), turn_a = ends(a) == 2 ? m.turn_a() : Rotation{};
+    const V3 local = load(b.normal), normal = turn_b * local;
+    const double length = norm(local), radius = a.radius + m.target_gap, near = radius * length;
+    V3 at[2];
+    double height[2]{};
+    double lengths = norm(m.from) + norm(m.by) + radius + std::fabs(b.offset);
     int lowest = 0, highest = 0;
-    double height[N];
-    for (int i = 0; i < N; ++i) {
-        height[i] = dot(border.normal, point[i]) - border.offset;
+    for (int i = 0; i < ends(a); ++i) {
+        at[i] = turn_a * end(a, i);
+        height[i] = dot(normal, m.from + at[i]) - b.offset;
+        lengths += norm(at[i]);
         if (height[i] < height[lowest]) lowest = i;
         if (height[i] > height[highest]) highest = i;
     }
-    const double length = norm(border.normal);
-    const Reach r = reach(m, radius + std::fabs(border.offset), extent);
-    const double near = radius * length, slack = r.slack * length;
-    const bool below = !border.solid && height[highest] < -near;
-    const double side = below ? -1 : 1;
-    const int nearest = below ? highest : lowest;
-    const double above = side * height[nearest] - near, rate = -side * dot(border.normal, m.by);
-    if (above < -slack && (border.solid || (height[lowest] < near - slack && height[highest] > slack - near)))
+    const double slack = tolerance::border_slack * lengths, rise = dot(normal, m.by);
+    // From which side the border is met, and the nearer end's height on that side.
+    const double side = !is_solid<Border> && height[highest] < -near ? -1 : 1;
+    const int nearest = side < 0 ? highest : lowest;
+    const double above = side * height[nearest] - near, rate = -side * rise;
+    if (above < -slack && (is_solid<Border> || height[highest] > slack - near))
         return {.found = Found::start};
-    if (above > slack && above - rate * m.t_max > 2 * slack) return {.found = Found::apart};
-    const Crossing c = crossing(above, rate, slack);
-    if (!c.closing) return {};
-    if (c.t > m.t_max) return {.found = Found::apart};
-    const V3 at = point[nearest] + c.t * m.by, normal = (1 / length) * border.normal;
-    const double over = (side * height[nearest] - c.t * rate) / length;
-    const bool late = c.t_upper > m.t_max;
+    if (above > slack && above - rate * m.t_max > slack) return {.found = Found::apart};
+    if (!(above > slack && rate > slack)) return {};
+
+    const Sharp s = sharp(a, b, m, two_sum(a.radius, m.target_gap));
+    const auto over = [&](int i) { return (side < 0 ? -s.height[i] : s.height[i]) - s.reach; };
+    Pair clearance = over(0);
+    if (ends(a) == 2 && (over(1) - clearance).hi < 0) clearance = over(1);
+    const double closing = -side * s.rate.hi, t = clearance.hi / closing;
+    const double doubt = t * tolerance::quotient + tolerance::pair_slack * lengths / closing;
+    if (!(t > 0 && doubt < 2 * tolerance::quotient * t)) return {};
+    const double first = t - doubt, last = t + doubt;
+    if (first > m.t_max) return {.found = Found::apart};
+    const bool late = last > m.t_max;
+    const V3 core = m.from + at[nearest] + first * m.by, unit = (1 / length) * normal;
+    const double gap = (near + rate * (t - first)) / length;
     return {late ? Found::doubt : Found::hit,
-            c.t,
-            late ? infinity : c.t_upper,
+            first,
+            late ? infinity : last,
             late,
-            at,
-            at - (side * over) * normal,
-            -side * normal,
+            core,
+            core - side * gap * unit,
+            -side * unit,
             true};
 }
 

@@ -161,19 +161,6 @@ double descent(const Number& height, const Number& reach_squared, const Number& 
                  ((magnitude(height) + square_root(magnitude(reach_squared))) * magnitude(rate)));
 }
 
-Turn::Turn(const Quat& q)
-{
-    const double* c = q.coeffs().data();
-    const Number one_x(c[0]), one_y(c[1]), one_z(c[2]), one_w(c[3]), two(2);
-    const Number xx = one_x * one_x, yy = one_y * one_y, zz = one_z * one_z, ww = one_w * one_w;
-    const Number xy = two * one_x * one_y, xz = two * one_x * one_z, yz = two * one_y * one_z;
-    const Number wx = two * one_w * one_x, wy = two * one_w * one_y, wz = two * one_w * one_z;
-    x = {ww + xx - yy - zz, xy + wz, xz - wy};
-    y = {xy - wz, ww - xx + yy - zz, yz + wx};
-    z = {xz + wy, yz - wx, ww - xx - yy + zz};
-    norm_squared = ww + xx + yy + zz;
-}
-
 Point point(const Vec3& v, int shift)
 {
     const V3 c = load(v);

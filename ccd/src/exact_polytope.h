@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dyadic.h"
-#include "vector.h"
+#include "whole_turn.h"
 
 #include <brink/shape.h>
 
@@ -14,14 +14,7 @@ namespace brink::exact {
 using Number = Dyadic<256>;
 using Point = XYZ<Number>;
 
-/// A quaternion's rotation times its squared norm, and that norm: whole numbers of quaternion components.
-struct Turn {
-    Point x, y, z;
-    Number norm_squared;
-    explicit Turn(const Quat& q);
-    Point operator*(const Point& p) const { return p.x * x + p.y * y + p.z * z; }
-    Point into(const Point& p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
-};
+using Turn = WholeTurn<Number>;
 
 Point point(const Vec3& v, int shift);
 

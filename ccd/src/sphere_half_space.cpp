@@ -6,8 +6,7 @@ namespace brink {
 
 Entry sphere_half_space(const Sphere& a, const HalfSpace& b, const Approach& m)
 {
-    const V3 centre[] = {m.from};
-    return border_entry(centre, border_of(b, m), m, a.radius + m.target_gap, 0);
+    return border_entry(a, b, m);
 }
 
 } // namespace brink

@@ -4,10 +4,6 @@
 
 namespace brink {
 
-Entry sphere_plane(const Sphere& a, const Plane& b, const Approach& m)
-{
-    const V3 centre[] = {m.from};
-    return border_entry(centre, border_of(b, m), m, a.radius + m.target_gap, 0);
-}
+Entry sphere_plane(const Sphere& a, const Plane& b, const Approach& m) { return border_entry(a, b, m); }
 
 } // namespace brink
