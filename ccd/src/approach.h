@@ -46,13 +46,13 @@ struct Entry {
     Found found = Found::doubt;
     double t = 0;
     double t_upper = infinity;
-    /// Only rounding at the end of the step is in doubt: whether contact, once t is reached, comes by t_max.
+    /// Only in doubt whether contact comes by t_max: t_upper, by which it comes, lies beyond.
     bool near_end = false;
     /// Set for a hit and near the end:
-    V3 core_a{};       // where the cores (the shapes without their radius) come nearest at t,
-    V3 core_b{};       // in Approach's frame
-    V3 facing{};       // of any length, from A towards B: the normal where the cores themselves touch,
-    bool flat = false; // and everywhere on a face
+    V3 core_a{}; // where the cores (the shapes without their radius) come nearest at t,
+    V3 core_b{}; // in Approach's frame
+    V3 facing{}; // of any length, from A towards B: the axis of the proof. It is the normal where the cores
+    bool flat = false; // themselves touch, and everywhere on a face
 };
 
 } // namespace brink

@@ -3,7 +3,7 @@
 
 #include "crossing.h"
 #include "glance.h"
-#include "whole_turn.h"
+#include "sharp.h"
 
 #include <algorithm>
 
@@ -32,21 +32,19 @@ struct Sharp {
     Pair rate, reach;
 };
 
-template <class A, class Border> Sharp sharp(const A& a, const Border& b, const Approach& m, Pair radius)
+template <class A, class Border> Sharp sharpened(const A& a, const Border& b, const Approach& m, Pair radius)
 {
     const WholeTurn<Pair> turn_b(m.motion_b.start.orientation);
     const XYZ<Pair> local = pairs(load(b.normal)), normal = turn_b * local;
-    const XYZ<Pair> from{{m.from.x, m.from_low().x}, {m.from.y, m.from_low().y}, {m.from.z, m.from_low().z}};
-    const XYZ<Pair> by{{m.by.x, m.by_low().x}, {m.by.y, m.by_low().y}, {m.by.z, m.by_low().z}};
-    const Pair base = dot(normal, from) - Pair{b.offset} * turn_b.norm_squared;
+    const Pair base = dot(normal, sharp::from(m)) - Pair{b.offset} * turn_b.norm_squared;
     const Pair reach = radius * turn_b.norm_squared * square_root(dot(local, local));
     if constexpr (std::is_same_v<A, Sphere>) {
-        return {{base, {}}, dot(normal, by), reach};
+        return {{base, {}}, dot(normal, sharp::by(m)), reach};
     } else {
         const WholeTurn<Pair> turn_a(m.motion_a.start.orientation);
         const Pair factor = turn_a.norm_squared;
         const auto height = [&](int i) { return factor * base + dot(normal, turn_a * pairs(end(a, i))); };
-        return {{height(0), height(1)}, factor * dot(normal, by), factor * reach};
+        return {{height(0), height(1)}, factor * dot(normal, sharp::by(m)), factor * reach};
     }
 }
 
@@ -79,7 +77,7 @@ template <class A, class Border> Entry border_entry(const A& a, const Border& b,
     if (above > slack && above - rate * m.t_max > slack) return {.found = Found::apart};
     if (!(above > slack && rate > slack)) return {};
 
-    const Sharp s = sharp(a, b, m, two_sum(a.radius, m.target_gap));
+    const Sharp s = sharpened(a, b, m, two_sum(a.radius, m.target_gap));
     const auto over = [&](int i) { return (side < 0 ? -s.height[i] : s.height[i]) - s.reach; };
     Pair clearance = over(0);
     if (ends(a) == 2 && (over(1) - clearance).hi < 0) clearance = over(1);
@@ -91,14 +89,8 @@ template <class A, class Border> Entry border_entry(const A& a, const Border& b,
     const bool late = last > m.t_max;
     const V3 core = m.from + at[nearest] + first * m.by, unit = (1 / length) * normal;
     const double gap = (near + rate * (t - first)) / length;
-    return {late ? Found::doubt : Found::hit,
-            first,
-            late ? infinity : last,
-            late,
-            core,
-            core - side * gap * unit,
-            -side * unit,
-            true};
+    return {late ? Found::doubt : Found::hit, first,        last, late, core,
+            core - side * gap * unit,         -side * unit, true};
 }
 
 } // namespace brink

@@ -90,7 +90,7 @@ double rounded_up(double t, double step)
     const bool late = last > m.t_max;
     const V3 centre = m.from + first * m.by,
              facing = radius.hi > tolerance::core_noise * lengths ? -centre : m.by;
-    return {late ? Found::doubt : Found::hit, first, late ? infinity : last, late, centre, {}, facing, false};
+    return {late ? Found::doubt : Found::hit, first, last, late, centre, {}, facing, false};
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "glance.h"
 #include "pairs.h"
 #include "rescale.h"
+#include "sharp.h"
 #include "tolerance.h"
 
 #include <algorithm>
@@ -93,10 +94,35 @@ template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const A
     }
 }
 
+/// Whether the closed form brackets t as wide as heights in double arithmetic make it.
+template <class A, class B>
+constexpr bool may_blur =
+    !std::is_same_v<B, Sphere> && !std::is_same_v<B, Plane> && !std::is_same_v<B, HalfSpace>;
+
+/// The same axis again in unevaluated pairs, where a slow approach makes much of a small height.
+template <class A, class B> [[gnu::noinline]] Entry sharpened(const Query& q, const Approach& m, Entry e)
+{
+    const A& a = as<A>(q.a);
+    const B& b = as<B>(q.b);
+    const Pair radii = two_sum(radius(a), radius(b)), reach = radii + Pair{m.target_gap};
+    const sharp::Height h = sharp::height(a, b, m, -e.facing, reach);
+    const double t = h.above.hi / h.rate.hi;
+    const double slack = tolerance::pair_slack * lengths<A, B>(q, m) * norm(e.facing);
+    const double first = t - (t * tolerance::quotient + slack / h.rate.hi);
+    if (!(h.rate.hi > 0 && first > e.t)) return e;
+    e.core_a = e.core_a + (first - e.t) * m.by;
+    e.t = first;
+    if (first > m.t_max) e.found = Found::apart;
+    return e;
+}
+
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
 [[gnu::always_inline]] inline Toi solve_translation(const Query& q, const Approach& m)
 {
-    const Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
+    Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
+    if constexpr (may_blur<A, B>)
+        if ((e.found == Found::hit || e.near_end) && e.t_upper - e.t > tolerance::blur * e.t_upper)
+            e = sharpened<A, B>(q, m, e);
     if (e.found == Found::apart) return plain(Status::separated, q.options.t_max);
     if (e.found == Found::hit) return hit(q, m, e, radius(as<A>(q.a)), radius(as<B>(q.b)));
     return settle<A, B>(q, m, e);

@@ -42,6 +42,10 @@ inline constexpr double pair_slack = 128 * unit_roundoff * unit_roundoff;
 /// Relative error of a quotient of two numbers rounded from pairs, and of moving it by that: four roundings.
 inline constexpr double quotient = 5 * unit_roundoff;
 
+/// A bracket wider than this part of its end is worth unevaluated pairs, which cost as much as all the rest:
+/// a guess at what is, and nothing rests on it.
+inline constexpr double blur = 0x1p-42;
+
 /// How far off first contact a kernel's guess can be, as a multiple of the same lengths: a miss is believed
 /// when there is no contact with the radius that much larger (numerics.md).
 inline constexpr double guess_slack = 64 * unit_roundoff;
