@@ -21,12 +21,21 @@ static inline V3 end(const Capsule& a, int i) { return load(i == 0 ? a.a : a.b);
 
 template <class Border> constexpr bool is_solid = std::is_same_v<Border, HalfSpace>;
 
-/// Lowest and highest end over the border at t = 0, and how fast A rises.
-struct Heights {
-    double lowest, highest, rate;
+/// A border's normal in world axes, each component within a few u of the largest, times the squared norm of
+/// the quaternion, which is given too.
+struct TurnedNormal {
+    V3 normal;
+    double norm_squared;
 };
+static inline TurnedNormal turned_normal(V3 local, const Quat& q)
+{
+    if (q.x() == 0 && q.y() == 0 && q.z() == 0 && q.w() == 1) return {local, 1};
+    const WholeTurn<Pair> turn(q);
+    const XYZ<Pair> n = turn * pairs(local);
+    return {{rounded(n.x), rounded(n.y), rounded(n.z)}, rounded(turn.norm_squared)};
+}
 
-/// The same for each end in pairs, times a common factor, less the reach.
+/// The heights of A's ends in pairs, how fast they rise, and the reach; all times a common factor.
 struct Sharp {
     Pair height[2];
     Pair rate, reach;
@@ -53,43 +62,45 @@ template <class A, class Border> Sharp sharpened(const A& a, const Border& b, co
 template <class A, class Border> Entry border_entry(const A& a, const Border& b, const Approach& m)
 {
     using namespace border;
-    const Rotation turn_b = m.turn_b(), turn_a = ends(a) == 2 ? m.turn_a() : Rotation{};
-    const V3 local = load(b.normal), normal = turn_b * local;
-    const double length = norm(local), radius = a.radius + m.target_gap, near = radius * length;
+    const auto [normal, norm_squared] = turned_normal(load(b.normal), m.motion_b.start.orientation);
+    const Rotation turn_a = ends(a) == 2 ? m.turn_a() : Rotation{};
+    const double offset = b.offset * norm_squared, length = norm(normal);
+    const double radius = a.radius + m.target_gap, near = radius * length;
     V3 at[2];
-    double height[2]{};
-    double lengths = norm(m.from) + norm(m.by) + radius + std::fabs(b.offset);
+    double height[2]{}, extent = 0;
     int lowest = 0, highest = 0;
     for (int i = 0; i < ends(a); ++i) {
         at[i] = turn_a * end(a, i);
-        height[i] = dot(normal, m.from + at[i]) - b.offset;
-        lengths += norm(at[i]);
+        height[i] = dot(normal, m.from + at[i]) - offset;
+        extent = std::max(extent, norm(at[i]));
         if (height[i] < height[lowest]) lowest = i;
         if (height[i] > height[highest]) highest = i;
     }
-    const double slack = tolerance::border_slack * lengths, rise = dot(normal, m.by);
+    const Reach r = reach(m, radius + std::fabs(offset), extent);
+    const double slack = r.slack * length;
     // From which side the border is met, and the nearer end's height on that side.
     const double side = !is_solid<Border> && height[highest] < -near ? -1 : 1;
     const int nearest = side < 0 ? highest : lowest;
-    const double above = side * height[nearest] - near, rate = -side * rise;
-    if (above < -slack && (is_solid<Border> || height[highest] > slack - near))
+    const double over = side * height[nearest], rate = -side * dot(normal, m.by);
+    if (over - near < -slack && (is_solid<Border> || height[highest] > slack - near))
         return {.found = Found::start};
-    if (above > slack && above - rate * m.t_max > slack) return {.found = Found::apart};
-    if (!(above > slack && rate > slack)) return {};
-
-    const Sharp s = sharpened(a, b, m, two_sum(a.radius, m.target_gap));
-    const auto over = [&](int i) { return (side < 0 ? -s.height[i] : s.height[i]) - s.reach; };
-    Pair clearance = over(0);
-    if (ends(a) == 2 && (over(1) - clearance).hi < 0) clearance = over(1);
-    const double closing = -side * s.rate.hi, t = clearance.hi / closing;
-    const double doubt = t * tolerance::quotient + tolerance::pair_slack * lengths / closing;
-    if (!(t > 0 && doubt < 2 * tolerance::quotient * t)) return {};
-    const double first = t - doubt, last = t + doubt;
-    if (first > m.t_max) return {.found = Found::apart};
-    const bool late = last > m.t_max;
-    const V3 core = m.from + at[nearest] + first * m.by, unit = (1 / length) * normal;
-    const double gap = (near + rate * (t - first)) / length;
-    return {late ? Found::doubt : Found::hit, first,        last, late, core,
+    if (over - near > slack && over - near - rate * m.t_max > slack) return {.found = Found::apart};
+    const Crossing c = crossing(over - near, rate, slack);
+    if (!c.closing) return {};
+    sharp::Fall f{c.t, c.t_upper};
+    if (c.t_upper - c.t > tolerance::blur * c.t_upper) {
+        const Sharp s = sharpened(a, b, m, two_sum(a.radius, m.target_gap));
+        const auto above = [&](int i) { return (side < 0 ? -s.height[i] : s.height[i]) - s.reach; };
+        Pair least = above(0);
+        if (ends(a) == 2 && rounded(above(1) - least) < 0) least = above(1);
+        f = sharp::fall(least, side < 0 ? s.rate : -s.rate, tolerance::pair_slack * 2 * (r.lengths + extent));
+        if (!(f.t > 0 && f.t_upper - f.t <= tolerance::blur * f.t)) return {};
+    }
+    if (f.t > m.t_max) return {.found = Found::apart};
+    const bool late = f.t_upper > m.t_max;
+    const V3 core = m.from + at[nearest] + f.t * m.by, unit = (1 / length) * normal;
+    const double gap = (over - f.t * rate) / length;
+    return {late ? Found::doubt : Found::hit, f.t,          f.t_upper, late, core,
             core - side * gap * unit,         -side * unit, true};
 }
 

@@ -11,8 +11,9 @@ namespace brink {
 /// How near counts as contact, and what rounding may take from or add to a length.
 struct Reach {
     double radius;
-    double slack;  // of a height along a given axis, per length of the axis
-    double margin; // of first contact as the kernels guess it: they look for contact within radius + margin
+    double slack;   // of a height along a given axis, per length of the axis
+    double margin;  // of first contact as the kernels guess it: they look for contact within radius + margin
+    double lengths; // relative position + relative motion + radius
 };
 
 /// `extents`: how far the turned points of both shapes lie from their origins.
@@ -20,7 +21,7 @@ static inline Reach reach(const Approach& m, double radius, double extents)
 {
     const double lengths = norm(m.from) + norm(m.by) + radius;
     return {radius, tolerance::axis_slack * lengths + tolerance::turning_slack * extents,
-            tolerance::guess_slack * (lengths + extents)};
+            tolerance::guess_slack * (lengths + extents), lengths};
 }
 
 static inline double squared(double x) { return x * x; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "approach.h"
+#include "tolerance.h"
 #include "whole_turn.h"
 
 #include <brink/shape.h>
@@ -17,8 +18,8 @@ static inline V vector(V3 hi, V3 lo) { return {{hi.x, lo.x}, {hi.y, lo.y}, {hi.z
 static inline V from(const Approach& m) { return vector(m.from, m.from_low()); }
 static inline V by(const Approach& m) { return vector(m.by, m.by_low()); }
 
-static inline Pair greater(Pair a, Pair b) { return (b - a).hi > 0 ? b : a; }
-static inline Pair magnitude(Pair a) { return a.hi < 0 ? -a : a; }
+static inline Pair greater(Pair a, Pair b) { return rounded(b - a) > 0 ? b : a; }
+static inline Pair magnitude(Pair a) { return rounded(a) < 0 ? -a : a; }
 
 /// The most that a core's points reach along an axis, both local.
 static inline Pair support(const Sphere&, const V&) { return {}; }
@@ -47,6 +48,18 @@ template <class Shape> Support support(const Shape& s, const Quat& q, const V& a
 {
     const WholeTurn<Pair> turn(q);
     return {support(s, turn.into(axis)), turn.norm_squared};
+}
+
+/// When a height has fallen to nothing, rounded down. `slack`: what the height may be off by.
+struct Fall {
+    double t, t_upper;
+};
+static inline Fall fall(Pair above, Pair rate, double slack)
+{
+    const double fast = rounded(rate), t = rounded(above) / fast;
+    if (!(fast > 0 && t > 0)) return {0, infinity};
+    const double doubt = t * tolerance::quotient + slack / fast;
+    return {t - doubt, t + doubt};
 }
 
 /// What decides when A's and B's supporting planes at right angles to an axis are the reach apart, all times

@@ -106,10 +106,9 @@ template <class A, class B> [[gnu::noinline]] Entry sharpened(const Query& q, co
     const B& b = as<B>(q.b);
     const Pair radii = two_sum(radius(a), radius(b)), reach = radii + Pair{m.target_gap};
     const sharp::Height h = sharp::height(a, b, m, -e.facing, reach);
-    const double t = h.above.hi / h.rate.hi;
     const double slack = tolerance::pair_slack * lengths<A, B>(q, m) * norm(e.facing);
-    const double first = t - (t * tolerance::quotient + slack / h.rate.hi);
-    if (!(h.rate.hi > 0 && first > e.t)) return e;
+    const double first = sharp::fall(h.above, h.rate, slack).t;
+    if (!(first > e.t)) return e;
     e.core_a = e.core_a + (first - e.t) * m.by;
     e.t = first;
     if (first > m.t_max) e.found = Found::apart;

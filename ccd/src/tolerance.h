@@ -32,11 +32,8 @@ inline constexpr double nearly_parallel = 1e-6;
 inline constexpr double axis_slack = 8 * unit_roundoff;
 inline constexpr double turning_slack = 28 * unit_roundoff;
 
-/// Rounding of a point's height over a plane, both turned, as a multiple of all lengths: that of the point's
-/// turn, 24 u, and of the normal's, 24 u, and the sums.
-inline constexpr double border_slack = 64 * unit_roundoff;
-
-/// The same from unevaluated pairs: some twenty operations of 4 u^2 each.
+/// Rounding of a height from unevaluated pairs, as a multiple of all lengths that enter it: some twenty
+/// operations of 4 u^2 each.
 inline constexpr double pair_slack = 128 * unit_roundoff * unit_roundoff;
 
 /// Relative error of a quotient of two numbers rounded from pairs, and of moving it by that: four roundings.

@@ -38,27 +38,26 @@ static inline Pair two_product(double a, double b)
 #endif
 }
 
-/// Arithmetic on unevaluated sums, to some 4 u^2 of the terms (T. Dekker 1971).
+/// Arithmetic on unevaluated sums, to some 4 u^2 of the terms (T. Dekker 1971, without his last step: `lo`
+/// may grow to a few roundings of `hi`).
 static inline Pair operator+(Pair a, Pair b)
 {
     const Pair s = two_sum(a.hi, b.hi);
-    const double rest = s.lo + (a.lo + b.lo), sum = s.hi + rest;
-    return {sum, rest - (sum - s.hi)};
+    return {s.hi, s.lo + (a.lo + b.lo)};
 }
 static inline Pair operator-(Pair a) { return {-a.hi, -a.lo}; }
 static inline Pair operator-(Pair a, Pair b) { return a + -b; }
 static inline Pair operator*(Pair a, Pair b)
 {
     const Pair p = two_product(a.hi, b.hi);
-    const double rest = p.lo + (a.hi * b.lo + a.lo * b.hi), product = p.hi + rest;
-    return {product, rest - (product - p.hi)};
+    return {p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi)};
 }
+static inline double rounded(Pair a) { return a.hi + a.lo; }
 static inline Pair square_root(Pair a)
 {
     const double root = std::sqrt(a.hi);
     if (!(root > 0)) return {};
-    const Pair left = a - two_product(root, root);
-    return two_sum(root, left.hi / (root + root));
+    return {root, rounded(a - two_product(root, root)) / (root + root)};
 }
 static inline XYZ<Pair> pairs(V3 v) { return {{v.x}, {v.y}, {v.z}}; }
 
