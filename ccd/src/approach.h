@@ -6,6 +6,8 @@
 
 #include <brink/motion.h>
 
+#include <optional>
+
 namespace brink {
 
 /// Two bodies that only translate, seen from B: world axes, origin at B's. Lengths between 2^-60 and 2^60, or
@@ -41,18 +43,20 @@ enum class Found : unsigned char {
     doubt, // apart before t, no more than that
 };
 
+/// How two shapes meet at a time, in Approach's frame.
+struct Meeting {
+    V3 core_a, core_b; // where the cores (the shapes without their radius) come nearest
+    V3 facing; // of any length, from A towards B: the axis of the proof. It is the normal where the cores
+    bool flat; // themselves touch, and everywhere on a face
+};
+
 /// First contact of two shapes under translation, as a closed form finds it.
 struct Entry {
     Found found = Found::doubt;
     double t = 0;
     double t_upper = infinity;
-    /// Only in doubt whether contact comes by t_max: t_upper, by which it comes, lies beyond.
-    bool near_end = false;
-    /// Set for a hit and near the end:
-    V3 core_a{}; // where the cores (the shapes without their radius) come nearest at t,
-    V3 core_b{}; // in Approach's frame
-    V3 facing{}; // of any length, from A towards B: the axis of the proof. It is the normal where the cores
-    bool flat = false; // themselves touch, and everywhere on a face
+    /// At t, for a hit. In doubt: whether contact, which comes by t_upper, comes by t_max.
+    std::optional<Meeting> meeting{};
 };
 
 } // namespace brink

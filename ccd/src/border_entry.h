@@ -97,11 +97,10 @@ template <class A, class Border> Entry border_entry(const A& a, const Border& b,
         if (!(f.t > 0 && f.t_upper - f.t <= tolerance::blur * f.t)) return {};
     }
     if (f.t > m.t_max) return {.found = Found::apart};
-    const bool late = f.t_upper > m.t_max;
     const V3 core = m.from + at[nearest] + f.t * m.by, unit = (1 / length) * normal;
     const double gap = (over - f.t * rate) / length;
-    return {late ? Found::doubt : Found::hit, f.t,          f.t_upper, late, core,
-            core - side * gap * unit,         -side * unit, true};
+    return {f.t_upper > m.t_max ? Found::doubt : Found::hit, f.t, f.t_upper,
+            Meeting{core, core - side * gap * unit, -side * unit, true}};
 }
 
 } // namespace brink

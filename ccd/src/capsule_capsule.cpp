@@ -66,12 +66,13 @@ Entry capsule_capsule(const Capsule& a, const Capsule& b, const Approach& m)
     const PolygonEntry met =
         polygon_entry(difference, m, reach(m, a.radius + b.radius + m.target_gap, extents));
     Entry e = met.entry;
-    if (e.found == Found::apart || (e.found == Found::doubt && !e.near_end)) return e;
+    if (!e.meeting) return e;
+    Meeting& at = *e.meeting;
     const Places places = met.edge < 0
-                              ? places_in_face(e.core_b, {a0, edge_a}, {b0, edge_b}, difference.normal)
-                              : places_on_outline(met.edge, e.core_b, {a0, edge_a}, {b0, edge_b});
-    e.core_a = e.core_a + a0 + places.on_a * edge_a;
-    e.core_b = b0 + places.on_b * edge_b;
+                              ? places_in_face(at.core_b, {a0, edge_a}, {b0, edge_b}, difference.normal)
+                              : places_on_outline(met.edge, at.core_b, {a0, edge_a}, {b0, edge_b});
+    at.core_a = at.core_a + a0 + places.on_a * edge_a;
+    at.core_b = b0 + places.on_b * edge_b;
     return e;
 }
 

@@ -52,11 +52,11 @@ template <class Nearest>
     const V3 at = m.from + c.t * m.by, met = nearest(at);
     // A guess that is off leaves a gap behind.
     if (!(norm_squared(at - met) <= squared(r.radius + tolerance::loose_axis * r.slack))) return {.t = early};
-    if (c.t_upper > m.t_max) return {Found::doubt, c.t, c.t_upper, true, at, met, -axis, false};
+    if (c.t_upper > m.t_max) return {Found::doubt, c.t, c.t_upper, Meeting{at, met, -axis, false}};
     const V3 later = m.from + c.t_upper * m.by;
     const double inner = r.radius - r.slack;
     if (!(inner > 0 && norm_squared(later - nearest(later)) <= squared(inner))) return {.t = early};
-    return {Found::hit, c.t, c.t_upper, false, at, met, -axis, false};
+    return {Found::hit, c.t, c.t_upper, Meeting{at, met, -axis, false}};
 }
 
 /// The same against a flat face: the point proven to enter the slab of the radius between the face's sides.
@@ -73,8 +73,8 @@ template <class Inside>
     const V3 at = m.from + c.t * m.by;
     const V3 foot = at - ((height - c.t * rate) / (length * length)) * normal;
     if (!inside(foot, 8 * r.slack + (c.t_upper - c.t) * norm(m.by))) return {.t = early};
-    const bool late = c.t_upper > m.t_max;
-    return {late ? Found::doubt : Found::hit, c.t, c.t_upper, late, at, foot, -normal, true};
+    const Found found = c.t_upper > m.t_max ? Found::doubt : Found::hit;
+    return {found, c.t, c.t_upper, Meeting{at, foot, -normal, true}};
 }
 
 } // namespace brink

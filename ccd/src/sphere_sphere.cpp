@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "crossing.h"
-#include "glance.h"
 #include "pairs.h"
 #include "quadratic.h"
 
@@ -56,6 +55,8 @@ Clearance clearance(const TwoPairs& xy, const TwoPairs& zr)
             size(xy.lo) + size(zr.lo) + size(high.lo) + size(low.lo) + size(sum.lo)};
 }
 
+double least(double a, double b) { return a < b ? a : b; }
+
 /// The double below or above t + step, t > 0, by its last place at most.
 double rounded_down(double t, double step)
 {
@@ -87,10 +88,9 @@ double rounded_up(double t, double step)
     const double first = at_it ? t : rounded_down(t, step - doubt),
                  last = at_it ? t : rounded_up(t, step + doubt);
     if (first > m.t_max) return {.found = Found::apart};
-    const bool late = last > m.t_max;
     const V3 centre = m.from + first * m.by,
              facing = radius.hi > tolerance::core_noise * lengths ? -centre : m.by;
-    return {late ? Found::doubt : Found::hit, first, last, late, centre, {}, facing, false};
+    return {last > m.t_max ? Found::doubt : Found::hit, first, last, Meeting{centre, {}, facing, false}};
 }
 
 } // namespace
@@ -117,8 +117,10 @@ Entry sphere_sphere(const Sphere& a, const Sphere& b, const Approach& m)
     const double discriminant = speed_squared * reach_squared - norm_squared(cross(m.from, m.by));
     const double doubt = speed_squared * ring * (radius.hi + radius.hi + ring) + tolerance::nothing;
     const double turning = along + speed_squared * m.t_max, at_end = c + (along + turning) * m.t_max;
-    const bool short_of_it = all(turning<0, at_end> tolerance::end_slack * squared(all_lengths));
-    if (!all(along < 0, discriminant >= -doubt, !short_of_it)) return {.found = Found::apart};
+    const double end = tolerance::end_slack * squared(all_lengths) - at_end;
+    // Not receding, not passing, not short of it at the end: as one number, for one branch.
+    if (least(least(-along - tolerance::nothing, discriminant + doubt), turning > end ? turning : end) < 0)
+        return {.found = Found::apart};
     if (!(discriminant > doubt)) return {};
     const double t = c / (std::sqrt(discriminant) - along);
     return polished(t, m, radius, all_lengths);

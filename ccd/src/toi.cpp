@@ -38,23 +38,25 @@ Toi plain(Status status, double t, double t_upper = infinity)
 }
 
 /// A hit with everything a caller may want to know about it.
-Toi hit(const Query& q, const Approach& m, const Entry& e, double radius_a, double radius_b)
+template <class A, class B> Toi hit(const Query& q, const Approach& m, const Entry& e)
 {
     if (q.options.detail == Detail::time_only) return plain(Status::hit, e.t, e.t_upper);
-    const V3 between = e.core_b - e.core_a;
+    const double radius_a = radius(as<A>(q.a)), radius_b = radius(as<B>(q.b));
+    const Meeting& at = *e.meeting;
+    const V3 between = at.core_b - at.core_a;
     const double distance = norm(between), gap = distance - (radius_a + radius_b);
     V3 normal = (1 / distance) * between;
-    if (e.flat ||
+    if (at.flat ||
         !(distance > tolerance::core_noise * (sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by)))) {
-        const double length = norm(e.facing);
+        const double length = norm(at.facing);
         if (length > 0)
-            normal = (1 / length) * e.facing;
+            normal = (1 / length) * at.facing;
         else if (distance == 0)
             normal = {};
     }
     const V3 origin = load(q.motion_b.start.position) + e.t * load(q.motion_b.translation);
-    const V3 point_a = origin + (e.core_a + radius_a * normal),
-             point_b = origin + (e.core_b - radius_b * normal);
+    const V3 point_a = origin + (at.core_a + radius_a * normal),
+             point_b = origin + (at.core_b - radius_b * normal);
     return {Status::hit, e.t, e.t_upper, store(normal), store(point_a), store(point_b), gap, 0};
 }
 
@@ -86,9 +88,8 @@ template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const A
     case Status::separated:
         return plain(Status::separated, q.options.t_max);
     case Status::hit:
-        if (!e.near_end) return hit_at<A, B>(q, v.t, v.t_upper);
-        return hit(q, m, {Found::hit, e.t, v.t_upper, false, e.core_a, e.core_b, e.facing, e.flat},
-                   radius(as<A>(q.a)), radius(as<B>(q.b)));
+        if (!e.meeting) return hit_at<A, B>(q, v.t, v.t_upper);
+        return hit<A, B>(q, m, {Found::hit, e.t, v.t_upper, e.meeting});
     default:
         return hit_at<A, B>(q, e.t, infinity);
     }
@@ -105,11 +106,11 @@ template <class A, class B> [[gnu::noinline]] Entry sharpened(const Query& q, co
     const A& a = as<A>(q.a);
     const B& b = as<B>(q.b);
     const Pair radii = two_sum(radius(a), radius(b)), reach = radii + Pair{m.target_gap};
-    const sharp::Height h = sharp::height(a, b, m, -e.facing, reach);
-    const double slack = tolerance::pair_slack * lengths<A, B>(q, m) * norm(e.facing);
+    const sharp::Height h = sharp::height(a, b, m, -e.meeting->facing, reach);
+    const double slack = tolerance::pair_slack * lengths<A, B>(q, m) * norm(e.meeting->facing);
     const double first = sharp::fall(h.above, h.rate, slack).t;
     if (!(first > e.t)) return e;
-    e.core_a = e.core_a + (first - e.t) * m.by;
+    e.meeting->core_a = e.meeting->core_a + (first - e.t) * m.by;
     e.t = first;
     if (first > m.t_max) e.found = Found::apart;
     return e;
@@ -120,10 +121,9 @@ template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)
 {
     Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
     if constexpr (may_blur<A, B>)
-        if ((e.found == Found::hit || e.near_end) && e.t_upper - e.t > tolerance::blur * e.t_upper)
-            e = sharpened<A, B>(q, m, e);
+        if (e.meeting && e.t_upper - e.t > tolerance::blur * e.t_upper) e = sharpened<A, B>(q, m, e);
     if (e.found == Found::apart) return plain(Status::separated, q.options.t_max);
-    if (e.found == Found::hit) return hit(q, m, e, radius(as<A>(q.a)), radius(as<B>(q.b)));
+    if (e.found == Found::hit) return hit<A, B>(q, m, e);
     return settle<A, B>(q, m, e);
 }
 
