@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pairs.h"
 #include "rounded_polygon.h"
+#include "sharp.h"
 
 #include <algorithm>
 
@@ -63,8 +64,11 @@ Entry capsule_capsule(const Capsule& a, const Capsule& b, const Approach& m)
                              0.5 * (norm(edge_a) + norm(edge_b)),  true};
     const double extents = std::sqrt(std::max(norm_squared(a0), norm_squared(a1))) +
                            std::sqrt(std::max(norm_squared(b0), norm_squared(b1)));
-    const PolygonEntry met =
-        polygon_entry(difference, m, reach(m, a.radius + b.radius + m.target_gap, extents));
+    const Reach r = reach(m, a.radius + b.radius + m.target_gap, extents);
+    const PolygonEntry met = polygon_entry(difference, m, r, [&](V3 axis, double t) {
+        const Pair radius = two_sum(a.radius, b.radius) + Pair{m.target_gap};
+        return sharp::later(a, b, m, axis, radius, r.lengths + extents, t);
+    });
     Entry e = met.entry;
     if (!e.meeting) return e;
     Meeting& at = *e.meeting;

@@ -31,6 +31,8 @@ static inline double squared(double x) { return x * x; }
 struct Crossing {
     double t, t_upper;
     bool closing;
+
+    bool blurred() const { return t_upper - t > tolerance::blur * t_upper; }
 };
 static inline Crossing crossing(double above, double rate, double slack)
 {
@@ -40,35 +42,37 @@ static inline Crossing crossing(double above, double rate, double slack)
 
 /// The entry along `axis`, given the point's least height over the polytope along it at t = 0. `nearest`
 /// gives a point of the polytope near the one it is given. `early`: a time before which the guess has proven
-/// the shapes apart.
-template <class Nearest>
+/// the shapes apart. `later` proves a later time along an axis, for where the approach is slow.
+template <class Nearest, class Later>
 [[gnu::always_inline]] inline Entry proven(const Approach& m, const Reach& r, V3 axis, double height,
-                                           double early, Nearest nearest)
+                                           double early, Nearest nearest, Later later)
 {
     const double length = norm(axis), slack = r.slack * length;
-    const Crossing c = crossing(height - r.radius * length, -dot(axis, m.by), slack);
+    Crossing c = crossing(height - r.radius * length, -dot(axis, m.by), slack);
     if (!c.closing) return {.t = early};
+    if (c.blurred()) c.t = later(axis, c.t);
     if (c.t > m.t_max) return {.found = Found::apart};
     const V3 at = m.from + c.t * m.by, met = nearest(at);
     // A guess that is off leaves a gap behind.
     if (!(norm_squared(at - met) <= squared(r.radius + tolerance::loose_axis * r.slack))) return {.t = early};
     if (c.t_upper > m.t_max) return {Found::doubt, c.t, c.t_upper, Meeting{at, met, -axis, false}};
-    const V3 later = m.from + c.t_upper * m.by;
+    const V3 deep = m.from + c.t_upper * m.by;
     const double inner = r.radius - r.slack;
-    if (!(inner > 0 && norm_squared(later - nearest(later)) <= squared(inner))) return {.t = early};
+    if (!(inner > 0 && norm_squared(deep - nearest(deep)) <= squared(inner))) return {.t = early};
     return {Found::hit, c.t, c.t_upper, Meeting{at, met, -axis, false}};
 }
 
 /// The same against a flat face: the point proven to enter the slab of the radius between the face's sides.
 /// `inside` says whether a point of the plane lies inside the face by more than a margin.
-template <class Inside>
+template <class Inside, class Later>
 [[gnu::always_inline]] inline Entry proven_on_face(const Approach& m, const Reach& r, V3 normal,
-                                                   double height, double early, Inside inside)
+                                                   double height, double early, Inside inside, Later later)
 {
     const double length = norm(normal), slack = r.slack * length, rate = -dot(normal, m.by);
     const double above = height - r.radius * length;
-    const Crossing c = crossing(above, rate, slack);
+    Crossing c = crossing(above, rate, slack);
     if (!c.closing) return {.t = early};
+    if (c.blurred()) c.t = later(normal, c.t);
     if (c.t > m.t_max) return {.found = Found::apart};
     const V3 at = m.from + c.t * m.by;
     const V3 foot = at - ((height - c.t * rate) / (length * length)) * normal;

@@ -52,23 +52,25 @@ static inline V3 across(V3 start, V3 edge, V3 point)
 }
 
 /// Met at an edge between its ends, or at a corner: proven along the axis from there.
-template <class Height>
+template <class Height, class Later>
 [[gnu::always_inline]] inline Entry proven_on_edge(const Approach& m, const Reach& r, V3 start, V3 edge,
-                                                   double early, Height height)
+                                                   double early, Height height, Later later)
 {
     const V3 axis = across(start, edge, m.from + early * m.by);
-    return proven(m, r, axis, height(axis), early, [&](V3 p) { return nearest_on_edge(start, edge, p); });
+    return proven(
+        m, r, axis, height(axis), early, [&](V3 p) { return nearest_on_edge(start, edge, p); }, later);
 }
-template <class Height>
+template <class Height, class Later>
 [[gnu::always_inline]] inline Entry proven_at_corner(const Approach& m, const Reach& r, V3 corner,
-                                                     double early, Height height)
+                                                     double early, Height height, Later later)
 {
     const V3 axis = m.from + early * m.by - corner;
-    return proven(m, r, axis, height(axis), early, [&](V3) { return corner; });
+    return proven(
+        m, r, axis, height(axis), early, [&](V3) { return corner; }, later);
 }
 
 /// Against one segment: the least over its side and the balls at its ends.
-static inline Entry segment_entry(V3 start, V3 end, const Approach& m, const Reach& r)
+template <class Later> Entry segment_entry(V3 start, V3 end, const Approach& m, const Reach& r, Later later)
 {
     const V3 edge = end - start;
     const XYZ<Two> from = pair(m.from - start, m.from - end), by = both(m.by), edges = both(edge);
@@ -82,8 +84,8 @@ static inline Entry segment_entry(V3 start, V3 end, const Approach& m, const Rea
         const Two heights = dot(both(axis), from);
         return heights[1] < heights[0] ? heights[1] : heights[0];
     };
-    if (side.t[0] <= ball) return proven_on_edge(m, r, start, edge, t, height);
-    return proven_at_corner(m, r, balls[1] < balls[0] ? end : start, t, height);
+    if (side.t[0] <= ball) return proven_on_edge(m, r, start, edge, t, height, later);
+    return proven_at_corner(m, r, balls[1] < balls[0] ? end : start, t, height, later);
 }
 
 /// A convex polygon of four corners (a triangle repeats its first one), counter-clockwise about `normal`,
@@ -122,8 +124,8 @@ struct Seen {
 };
 
 /// Against the outline: the least over its edges and the balls at its corners.
-static inline PolygonEntry outline_entry(const Polygon& p, const Approach& m, const Reach& r,
-                                         const Seen& seen)
+template <class Later>
+PolygonEntry outline_entry(const Polygon& p, const Approach& m, const Reach& r, const Seen& seen, Later later)
 {
     const XYZ<Two> by = both(m.by), drift = careful_cross(p.edges(0), by);
     const XYZ<Two> other = p.parallelogram ? -drift : careful_cross(p.edges(2), by);
@@ -144,8 +146,8 @@ static inline PolygonEntry outline_entry(const Polygon& p, const Approach& m, co
     if (t > m.t_max) return {{.found = Found::apart}};
     if (t == 0) return {};
     const auto height = [&](V3 axis) { return seen.height(axis); };
-    if (!on_side) return {proven_at_corner(m, r, p.corner[first_ball], t, height), first_ball};
-    return {proven_on_edge(m, r, p.corner[first_side], p.edge[first_side], t, height), first_side};
+    if (!on_side) return {proven_at_corner(m, r, p.corner[first_ball], t, height, later), first_ball};
+    return {proven_on_edge(m, r, p.corner[first_side], p.edge[first_side], t, height, later), first_side};
 }
 
 /// Whether the path's straight line passes a ball.
@@ -180,7 +182,8 @@ static inline bool inside(const Polygon& p, V3 at, double margin, Edges edges)
 
 /// Against the filled polygon. The path enters the slab of points within `radius` of its plane; over the
 /// polygon that is contact, elsewhere only the outline can be met.
-static inline PolygonEntry polygon_entry(const Polygon& p, const Approach& m, const Reach& r)
+template <class Later>
+PolygonEntry polygon_entry(const Polygon& p, const Approach& m, const Reach& r, Later later)
 {
     const double wide = corner_radius(r);
     if (passes(m.from, m.by, p.centre, (p.reach + wide) * (1 + tolerance::holding_slack)))
@@ -194,10 +197,10 @@ static inline PolygonEntry polygon_entry(const Polygon& p, const Approach& m, co
     const double t = above > 0 ? above / -climb : 0;
     const V3 at = m.from + t * m.by;
     if (!(length > 0) || !inside(p, at, r.margin * length, Edges::blurred))
-        return outline_entry(p, m, r, seen);
+        return outline_entry(p, m, r, seen, later);
     if (t == 0) return {};
     const auto deep = [&](V3 foot, double margin) { return inside(p, foot, margin * length, Edges::strict); };
-    return {proven_on_face(m, r, out, seen.height(out), t, deep)};
+    return {proven_on_face(m, r, out, seen.height(out), t, deep, later)};
 }
 
 } // namespace brink

@@ -7,7 +7,7 @@
 
 #include <brink/shape.h>
 
-#include <type_traits>
+#include <algorithm>
 
 /// Heights in unevaluated pairs, from the doubles that the caller gave: for times whose rounding would show.
 namespace brink::sharp {
@@ -70,8 +70,7 @@ struct Height {
 };
 
 /// `axis` leads from B to A.
-template <class A, class B>
-[[gnu::noinline]] Height height(const A& a, const B& b, const Approach& m, V3 axis, Pair radius)
+template <class A, class B> Height height(const A& a, const B& b, const Approach& m, V3 axis, Pair radius)
 {
     const V n = pairs(axis);
     const Support on_a = support(a, m.motion_a.start.orientation, -n),
@@ -80,6 +79,15 @@ template <class A, class B>
     const Pair between =
         factor * dot(n, from(m)) - on_a.norm_squared * on_b.most - on_b.norm_squared * on_a.most;
     return {between - factor * radius * square_root(dot(n, n)), -(factor * dot(n, by(m)))};
+}
+
+/// The time that pairs prove where doubles proved only `t`: no earlier than that.
+template <class A, class B>
+[[gnu::noinline]] double later(const A& a, const B& b, const Approach& m, V3 axis, Pair radius,
+                               double lengths, double t)
+{
+    const Height h = height(a, b, m, axis, radius);
+    return std::max(t, fall(h.above, h.rate, tolerance::pair_slack * lengths * norm(axis)).t);
 }
 
 } // namespace brink::sharp

@@ -2,6 +2,7 @@
 #include "crossing.h"
 #include "pairs.h"
 #include "quadratic.h"
+#include "sharp.h"
 
 #include <algorithm>
 
@@ -138,11 +139,16 @@ Entry sphere_box(const Sphere& a, const Box& b, const Approach& m)
     const int sides = (out.x != 0) + (out.y != 0) + (out.z != 0);
     const V3 local = sides == 1 ? face_normal(out) : out, axis = turn * local;
     const double height = dot(axis, m.from) - support(local, half);
+    const auto later = [&](V3 n, double time) {
+        return sharp::later(a, b, m, n, two_sum(a.radius, m.target_gap), r.lengths + norm(half), time);
+    };
     if (sides == 1)
-        return proven_on_face(m, r, axis, height, t, [&](V3 foot, double margin) {
-            return inside_face(into(turn, foot), local, half, margin);
-        });
-    return proven(m, r, axis, height, t, [&](V3 p) { return turn * clamp(into(turn, p), half); });
+        return proven_on_face(
+            m, r, axis, height, t,
+            [&](V3 foot, double margin) { return inside_face(into(turn, foot), local, half, margin); },
+            later);
+    return proven(
+        m, r, axis, height, t, [&](V3 p) { return turn * clamp(into(turn, p), half); }, later);
 }
 
 } // namespace brink

@@ -89,7 +89,7 @@ double rounded_up(double t, double step)
                  last = at_it ? t : rounded_up(t, step + doubt);
     if (first > m.t_max) return {.found = Found::apart};
     const V3 centre = m.from + first * m.by,
-             facing = radius.hi > tolerance::core_noise * lengths ? -centre : m.by;
+             facing = radius.hi > tolerance::point_noise * lengths ? -centre : m.by;
     return {last > m.t_max ? Found::doubt : Found::hit, first, last, Meeting{centre, {}, facing, false}};
 }
 

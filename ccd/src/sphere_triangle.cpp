@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pairs.h"
 #include "rounded_polygon.h"
+#include "sharp.h"
 
 #include <algorithm>
 
@@ -23,7 +24,11 @@ Entry sphere_triangle(const Sphere& a, const Triangle& b, const Approach& m)
                            centre,
                            std::sqrt(reach_squared),
                            false};
-    return polygon_entry(triangle, m, reach(m, a.radius + m.target_gap, extent)).entry;
+    const Reach r = reach(m, a.radius + m.target_gap, extent);
+    const auto later = [&](V3 axis, double t) {
+        return sharp::later(a, b, m, axis, two_sum(a.radius, m.target_gap), r.lengths + extent, t);
+    };
+    return polygon_entry(triangle, m, r, later).entry;
 }
 
 } // namespace brink

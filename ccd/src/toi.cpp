@@ -6,7 +6,6 @@
 #include "glance.h"
 #include "pairs.h"
 #include "rescale.h"
-#include "sharp.h"
 #include "tolerance.h"
 
 #include <algorithm>
@@ -44,7 +43,7 @@ template <class A, class B> Toi hit(const Query& q, const Approach& m, const Ent
     const double radius_a = radius(as<A>(q.a)), radius_b = radius(as<B>(q.b));
     const Meeting& at = *e.meeting;
     const V3 between = at.core_b - at.core_a;
-    const double distance = norm(between), gap = distance - (radius_a + radius_b);
+    double distance = norm(between);
     V3 normal = (1 / distance) * between;
     if (at.flat ||
         !(distance > tolerance::core_noise * (sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by)))) {
@@ -53,10 +52,12 @@ template <class A, class B> Toi hit(const Query& q, const Approach& m, const Ent
             normal = (1 / length) * at.facing;
         else if (distance == 0)
             normal = {};
+        distance = dot(between, normal); // what the vector between has across the normal is rounding
     }
+    const double gap = distance - (radius_a + radius_b);
     const V3 origin = load(q.motion_b.start.position) + e.t * load(q.motion_b.translation);
     const V3 point_a = origin + (at.core_a + radius_a * normal),
-             point_b = origin + (at.core_b - radius_b * normal);
+             point_b = origin + (at.core_a + (distance - radius_b) * normal);
     return {Status::hit, e.t, e.t_upper, store(normal), store(point_a), store(point_b), gap, 0};
 }
 
@@ -95,33 +96,10 @@ template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const A
     }
 }
 
-/// Whether the closed form brackets t as wide as heights in double arithmetic make it.
-template <class A, class B>
-constexpr bool may_blur =
-    !std::is_same_v<B, Sphere> && !std::is_same_v<B, Plane> && !std::is_same_v<B, HalfSpace>;
-
-/// The same axis again in unevaluated pairs, where a slow approach makes much of a small height.
-template <class A, class B> [[gnu::noinline]] Entry sharpened(const Query& q, const Approach& m, Entry e)
-{
-    const A& a = as<A>(q.a);
-    const B& b = as<B>(q.b);
-    const Pair radii = two_sum(radius(a), radius(b)), reach = radii + Pair{m.target_gap};
-    const sharp::Height h = sharp::height(a, b, m, -e.meeting->facing, reach);
-    const double slack = tolerance::pair_slack * lengths<A, B>(q, m) * norm(e.meeting->facing);
-    const double first = sharp::fall(h.above, h.rate, slack).t;
-    if (!(first > e.t)) return e;
-    e.meeting->core_a = e.meeting->core_a + (first - e.t) * m.by;
-    e.t = first;
-    if (first > m.t_max) e.found = Found::apart;
-    return e;
-}
-
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
 [[gnu::always_inline]] inline Toi solve_translation(const Query& q, const Approach& m)
 {
-    Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
-    if constexpr (may_blur<A, B>)
-        if (e.meeting && e.t_upper - e.t > tolerance::blur * e.t_upper) e = sharpened<A, B>(q, m, e);
+    const Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
     if (e.found == Found::apart) return plain(Status::separated, q.options.t_max);
     if (e.found == Found::hit) return hit<A, B>(q, m, e);
     return settle<A, B>(q, m, e);

@@ -11,6 +11,10 @@ inline constexpr double unit_roundoff = 0x1p-53;
 /// has lost half of its digits to rounding. The feature that met gives the normal.
 inline constexpr double core_noise = 0x1p-27;
 
+/// The same part for two points, which have no feature: below it the vector between them is all rounding, and
+/// the motion gives the normal.
+inline constexpr double point_noise = 64 * unit_roundoff;
+
 /// Rounding of a pose and of one separation along an axis, as a multiple of the sum of the lengths and arcs
 /// that enter them: the operations counted in numerics.md.
 inline constexpr double certificate_slack = 128 * unit_roundoff;
