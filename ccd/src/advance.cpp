@@ -171,11 +171,20 @@ template <class Part> std::optional<Toi> Advance<Part>::move(double step, double
     return {};
 }
 
+/// Whether the gap is proven not to decrease as two bodies translate: its rate is more than rounding, or zero
+/// in every term.
+bool parting(V3 normal, V3 velocity)
+{
+    const V3 terms{normal.x * velocity.x, normal.y * velocity.y, normal.z * velocity.z};
+    const double rate = terms.x + terms.y + terms.z;
+    return rate > tolerance::rate_slack * norm(velocity) || terms == V3{};
+}
+
 /// Convex bodies that only translate have a convex gap over time: once it does not fall it never falls again.
 template <class Part> Toi Advance<Part>::translate_away() const
 {
-    const bool parting = dot(now_.separation.normal, velocity_) >= 0;
-    return options_.start_contact == StartContact::ignore || parting ? separated() : answer(Status::touching);
+    const bool may_part = options_.start_contact == StartContact::ignore;
+    return may_part || parting(now_.separation.normal, velocity_) ? separated() : answer(Status::touching);
 }
 
 /// A step from a pose within the tolerance of contact, over which the gap provably does not fall below what

@@ -88,7 +88,7 @@ template <class A, class Border> Entry border_entry(const A& a, const Border& b,
     const Crossing c = crossing(over - near, rate, slack);
     if (!c.closing) return {};
     sharp::Fall f{c.t, c.t_upper};
-    if (c.blurred()) {
+    if (c.blurred() || r.strained) {
         const Sharp s = sharpened(a, b, m, two_sum(a.radius, m.target_gap));
         const auto above = [&](int i) { return (side < 0 ? -s.height[i] : s.height[i]) - s.reach; };
         Pair least = above(0);

@@ -13,15 +13,16 @@ struct Reach {
     double radius;
     double slack;   // of a height along a given axis, per length of the axis
     double margin;  // of first contact as the kernels guess it: they look for contact within radius + margin
+    bool strained;  // whether slack is most of what promise 3 allows a gap at t to be
     double lengths; // relative position + relative motion + radius
 };
 
 /// `extents`: how far the turned points of both shapes lie from their origins.
 static inline Reach reach(const Approach& m, double radius, double extents)
 {
-    const double lengths = norm(m.from) + norm(m.by) + radius;
-    return {radius, tolerance::axis_slack * lengths + tolerance::turning_slack * extents,
-            tolerance::guess_slack * (lengths + extents), lengths};
+    const double lengths = norm(m.from) + norm(m.by) + radius, all = lengths + extents;
+    const double slack = tolerance::axis_slack * lengths + tolerance::turning_slack * extents;
+    return {radius, slack, tolerance::guess_slack * all, slack > tolerance::strained * all, lengths};
 }
 
 static inline double squared(double x) { return x * x; }
@@ -50,16 +51,15 @@ template <class Nearest, class Later>
     const double length = norm(axis), slack = r.slack * length;
     Crossing c = crossing(height - r.radius * length, -dot(axis, m.by), slack);
     if (!c.closing) return {.t = early};
-    if (c.blurred()) c.t = later(axis, c.t);
+    if (c.blurred() || r.strained) c.t = later(axis, c.t);
     if (c.t > m.t_max) return {.found = Found::apart};
     const V3 at = m.from + c.t * m.by, met = nearest(at);
     // A guess that is off leaves a gap behind.
     if (!(norm_squared(at - met) <= squared(r.radius + tolerance::loose_axis * r.slack))) return {.t = early};
-    if (c.t_upper > m.t_max) return {Found::doubt, c.t, c.t_upper, Meeting{at, met, -axis, false}};
     const V3 deep = m.from + c.t_upper * m.by;
     const double inner = r.radius - r.slack;
     if (!(inner > 0 && norm_squared(deep - nearest(deep)) <= squared(inner))) return {.t = early};
-    return {Found::hit, c.t, c.t_upper, Meeting{at, met, -axis, false}};
+    return {c.t_upper > m.t_max ? Found::doubt : Found::hit, c.t, c.t_upper, Meeting{at, met, -axis, false}};
 }
 
 /// The same against a flat face: the point proven to enter the slab of the radius between the face's sides.
@@ -72,7 +72,7 @@ template <class Inside, class Later>
     const double above = height - r.radius * length;
     Crossing c = crossing(above, rate, slack);
     if (!c.closing) return {.t = early};
-    if (c.blurred()) c.t = later(normal, c.t);
+    if (c.blurred() || r.strained) c.t = later(normal, c.t);
     if (c.t > m.t_max) return {.found = Found::apart};
     const V3 at = m.from + c.t * m.by;
     const V3 foot = at - ((height - c.t * rate) / (length * length)) * normal;

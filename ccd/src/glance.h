@@ -45,16 +45,11 @@ static inline double size(const Triangle& s) { return sum(s.a) + sum(s.b) + sum(
 static inline double size(const Plane& s) { return std::fabs(s.offset); }
 static inline double size(const HalfSpace& s) { return std::fabs(s.offset); }
 
-/// The lengths of a valid query, added up.
-/// A pivot's part in that: nothing where `translates` asks for none.
-template <class Shape> static inline double arm(const Motion& m)
-{
-    return std::is_same_v<Shape, Sphere> ? 0 : sum(m.pivot);
-}
+/// The lengths that matter to bodies which only translate, added up.
 template <class A, class B> static inline double lengths(const Query& q, const Approach& m)
 {
-    return sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + arm<A>(q.motion_a) + arm<B>(q.motion_b) +
-           size(as<A>(q.a)) + size(as<B>(q.b)) + m.target_gap;
+    return sum_of_magnitudes(m.from) + sum_of_magnitudes(m.by) + size(as<A>(q.a)) + size(as<B>(q.b)) +
+           m.target_gap;
 }
 
 /// All of them, without a branch for each.
@@ -102,7 +97,8 @@ template <class Shape> [[gnu::always_inline]] static inline bool translates(cons
     if constexpr (std::is_same_v<Shape, Sphere>)
         return all(sized(s), any_bit(m.pivot) == 0, sum(m.rotation) <= largest_rotation);
     else
-        return all(sized(s), valid(m.start.orientation), any_bit(m.rotation) == 0);
+        return all(sized(s), valid(m.start.orientation), any_bit(m.rotation) == 0,
+                   finite_probe(load(m.pivot)) == 0);
 }
 static inline bool usual(const Options& o)
 {

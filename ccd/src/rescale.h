@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "approach.h"
 #include "scaling.h"
 #include "toi_query.h"
 #include "tolerance.h"
@@ -64,14 +65,34 @@ static inline double largest(const Motion& m)
     return std::max({largest(m.start.position), largest(m.translation), largest(m.pivot)});
 }
 
-/// The power of two that brings a valid query's largest length near 1 where it is far from that; else 0.
-template <class A, class B> int exponent_to_usual(const A& a, const B& b, const Query& q)
+/// The power of two that brings a length near 1 where it is far from that; else 0.
+static inline int exponent_to_usual(double most)
 {
-    const double most =
-        std::max({largest(a), largest(b), largest(q.motion_a), largest(q.motion_b), q.options.target_gap});
     const bool usual =
         most == 0 || (most > tolerance::smallest_lengths && most < tolerance::largest_lengths / 64);
     return usual ? 0 : -exponent(most);
+}
+
+/// That of a valid query's largest length.
+template <class A, class B> int exponent_to_usual(const A& a, const B& b, const Query& q)
+{
+    return exponent_to_usual(
+        std::max({largest(a), largest(b), largest(q.motion_a), largest(q.motion_b), q.options.target_gap}));
+}
+
+/// The same for bodies that only translate, of which pivots and common offsets do not matter.
+template <class A, class B> int exponent_to_usual(const A& a, const B& b, const Query& q, const Approach& m)
+{
+    const double most = std::max(
+        {largest(a), largest(b), largest_coordinate(m.from), largest_coordinate(m.by), q.options.target_gap});
+    return most < infinity ? exponent_to_usual(most) : exponent_to_usual(a, b, q);
+}
+
+/// Whether positions and motions still are numbers in lengths times 2^exponent.
+static inline bool can_be_scaled(const Query& q, int exponent)
+{
+    return std::ldexp(std::max(largest(q.motion_a), largest(q.motion_b)), exponent) <
+           tolerance::largest_position;
 }
 
 } // namespace brink

@@ -153,7 +153,7 @@ PolygonEntry outline_entry(const Polygon& p, const Approach& m, const Reach& r, 
 /// Whether the path's straight line passes a ball.
 static inline bool passes(V3 from, V3 by, V3 centre, double radius)
 {
-    return norm_squared(cross(from - centre, by)) > radius * radius * norm_squared(by);
+    return norm_squared(cross(from - centre, by)) > radius * radius * norm_squared(by) + tolerance::nothing;
 }
 
 enum class Edges : unsigned char {
@@ -189,15 +189,15 @@ PolygonEntry polygon_entry(const Polygon& p, const Approach& m, const Reach& r, 
     if (passes(m.from, m.by, p.centre, (p.reach + wide) * (1 + tolerance::holding_slack)))
         return {{.found = Found::apart}};
     const Seen seen(p, m.from);
-    const double length = norm(p.normal), height = dot(p.normal, m.from - p.corner[0]),
-                 side = height < 0 ? -1 : 1;
+    const double length = norm(p.normal);
+    if (!(length > tolerance::smallest_normal)) return outline_entry(p, m, r, seen, later);
+    const double height = dot(p.normal, m.from - p.corner[0]), side = height < 0 ? -1 : 1;
     const V3 out = side * p.normal;
     const double above = side * height - face_radius(r) * length, climb = dot(out, m.by);
     if (above > 0 && !(above <= -climb * m.t_max)) return {{.found = Found::apart}};
     const double t = above > 0 ? above / -climb : 0;
     const V3 at = m.from + t * m.by;
-    if (!(length > 0) || !inside(p, at, r.margin * length, Edges::blurred))
-        return outline_entry(p, m, r, seen, later);
+    if (!inside(p, at, r.margin * length, Edges::blurred)) return outline_entry(p, m, r, seen, later);
     if (t == 0) return {};
     const auto deep = [&](V3 foot, double margin) { return inside(p, foot, margin * length, Edges::strict); };
     return {proven_on_face(m, r, out, seen.height(out), t, deep, later)};

@@ -115,20 +115,27 @@ template <class A, class B, class Solve>
     return scaled(solve(Query{a, motion_a, b, motion_b, options, &q}), -exponent);
 }
 
-template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
-Toi solve_usual_scale(const Query& q)
+template <class A, class B> Toi solve_turning(const Query& q)
 {
-    if (turns(as<A>(q.a), q.motion_a) || turns(as<B>(q.b), q.motion_b)) return solve_by_advancing<A, B>(q);
-    return solve_translation<A, B, kernel>(q, approach(q));
+    const int exponent = exponent_to_usual(as<A>(q.a), as<B>(q.b), q);
+    if (exponent != 0) return rescaled<A, B>(q, exponent, &solve_by_advancing<A, B>);
+    return solve_by_advancing<A, B>(q);
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
 [[gnu::noinline]] Toi solve_with_care(const Query& q)
 {
     if (!valid<A, B>(q)) return {};
-    const int exponent = exponent_to_usual(as<A>(q.a), as<B>(q.b), q);
-    if (exponent != 0) return rescaled<A, B>(q, exponent, &solve_usual_scale<A, B, kernel>);
-    return solve_usual_scale<A, B, kernel>(q);
+    const A& a = as<A>(q.a);
+    const B& b = as<B>(q.b);
+    if (turns(a, q.motion_a) || turns(b, q.motion_b)) return solve_turning<A, B>(q);
+    const Approach m = approach(q);
+    const int exponent = exponent_to_usual(a, b, q, m);
+    if (exponent == 0) return solve_translation<A, B, kernel>(q, m);
+    if (!can_be_scaled(q, exponent)) return settle<A, B>(q, m, {});
+    return rescaled<A, B>(q, exponent, [](const Query& near_1) {
+        return solve_translation<A, B, kernel>(near_1, approach(near_1));
+    });
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
@@ -147,10 +154,7 @@ Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& 
           const Options& options)
 {
     const Query q{a, motion_a, b, motion_b, options};
-    if (!valid<A, B>(q)) return {};
-    const int exponent = exponent_to_usual(as<A>(a), as<B>(b), q);
-    if (exponent != 0) return rescaled<A, B>(q, exponent, &solve_by_advancing<A, B>);
-    return solve_by_advancing<A, B>(q);
+    return valid<A, B>(q) ? solve_turning<A, B>(q) : Toi{};
 }
 
 Toi solve_nothing(const Shape&, const Motion&, const Shape&, const Motion&, const Options&) { return {}; }

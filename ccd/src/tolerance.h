@@ -43,6 +43,10 @@ inline constexpr double pair_slack = 128 * unit_roundoff * unit_roundoff;
 /// Relative error of a quotient of two numbers rounded from pairs, and of moving it by that: four roundings.
 inline constexpr double quotient = 5 * unit_roundoff;
 
+/// Where the turned extents make the slack larger than this part of all lengths, the time is proven again
+/// from pairs: promise 3 allows 32 u, and the roundings themselves may add what the slack has to spare.
+inline constexpr double strained = 20 * unit_roundoff;
+
 /// A bracket wider than this part of its end is worth unevaluated pairs, which cost as much as all the rest:
 /// a guess at what is, and nothing rests on it.
 inline constexpr double blur = 0x1p-42;
@@ -65,6 +69,10 @@ inline constexpr double exact_root = 8 * unit_roundoff;
 
 /// A ball that is to hold a shape grows by this part of its radius: many roundings of it.
 inline constexpr double holding_slack = 0x1p-40;
+
+/// Rounding of the rate of a gap under translation, as a part of the speed: a few roundings of the normal,
+/// and three of the product.
+inline constexpr double rate_slack = 32 * unit_roundoff;
 
 /// How flat in a supporting plane an edge lies that may be touching (sine of the angle): a guess, which no
 /// answer's validity rests on.
@@ -102,6 +110,10 @@ inline constexpr double end_slack = 16 * unit_roundoff;
 /// What products of lengths near 2^-60 or smaller may lose to the end of the range of doubles.
 inline constexpr double nothing = 0x1p-900;
 
+/// A face with a normal shorter than this lies all within rounding of its edges, and its own products
+/// underflow.
+inline constexpr double smallest_normal = 0x1p-400;
+
 /// Error of |p|^2 - R^2 from exact products, as a multiple of R times the lengths that enter p.
 inline constexpr double polish_slack = 32 * unit_roundoff * unit_roundoff;
 
@@ -120,5 +132,9 @@ inline constexpr double sharp_root = 4 * unit_roundoff;
 /// from both ends of the range of doubles.
 inline constexpr double smallest_lengths = 0x1p-60;
 inline constexpr double largest_lengths = 0x1p60;
+
+/// Positions that scaling would bring beyond this are not scaled; they leave differences of zero or far
+/// larger than what they would be scaled for.
+inline constexpr double largest_position = 0x1p1000;
 
 } // namespace brink::tolerance
