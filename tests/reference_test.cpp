@@ -179,3 +179,16 @@ TEST_CASE("reference: the walk and the convex search agree on translation")
     CHECK(hits > 250);
     CHECK(hits < cases - 250);
 }
+
+TEST_CASE("reference: its sine is the C library's but for the last bits")
+{
+    Random random(20261122);
+    for (const double most : {1e-8, 1.0, 30.0, 1048576.0}) {
+        for (int i = 0; i < 20000; ++i) {
+            const Real high = random.between(-most, most);
+            const Real low = random.between(-1, 1);
+            const Real angle = high + 0x1p-54L * most * low;
+            REQUIRE(std::abs(sine(angle) - std::sin(angle)) <= 0x1p-62L);
+        }
+    }
+}

@@ -10,8 +10,8 @@ namespace {
 /// exp(angle [axis]x), Rodrigues with 1 - cos as 2 sin^2 of the half.
 Real33 turned(const Real3& axis, Real angle)
 {
-    const Real s = std::sin(angle);
-    const Real h = std::sin(angle / 2);
+    const Real s = sine(angle);
+    const Real h = sine(angle / 2);
     const auto column = [&](const Real3& v) {
         const Real3 av = cross(axis, v);
         return v + s * av + (2 * h * h) * cross(axis, av);

@@ -4,6 +4,12 @@
 #include <algorithm>
 
 namespace brink::support {
+namespace {
+
+/// Not Eigen's, whose order of summation may follow the machine.
+double dot(const Vec3& a, const Vec3& b) { return a.x() * b.x() + a.y() * b.y() + a.z() * b.z(); }
+
+} // namespace
 
 bool unbounded(const Shape& shape)
 {
@@ -14,11 +20,11 @@ Path above_ground(Random& random, Path path, const Shape& ground, const Quat& or
 {
     const Placed placed = place(ground, RealPose{{}, rotation_matrix(orientation)});
     const Vec3 normal = rounded(placed.normal);
-    const double height = normal.dot(path.from) - static_cast<double>(placed.offset);
+    const double height = dot(normal, path.from) - static_cast<double>(placed.offset);
     const bool below = std::holds_alternative<Plane>(ground) && random.chance(0.3);
     const double wanted = random.between(0.3, 4) * (below ? -1 : 1);
     if (random.chance(0.9)) path.from += (wanted - height) * normal;
-    const double along = normal.dot(path.by);
+    const double along = dot(normal, path.by);
     const double speed = random.between(0.2, 1.8) * wanted;
     if (random.chance(0.7)) path.by -= (along + speed) * normal;
     return path;
