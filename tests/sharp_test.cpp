@@ -3,7 +3,6 @@
 
 #include "dyadic.h"
 #include "support/random.h"
-#include "tolerance.h"
 
 #include <doctest/doctest.h>
 

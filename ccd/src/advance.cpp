@@ -2,8 +2,8 @@
 #include "advance.h"
 
 #include "certificate.h"
-#include "quadratic.h"
 #include "tolerance.h"
+#include "window.h"
 
 #include <algorithm>
 #include <optional>
@@ -12,40 +12,6 @@
 namespace brink {
 
 namespace {
-
-/// The part of [0, 1] in which two bodies can touch at all.
-struct Window {
-    double begin = 0, end = 1;
-    bool empty = false;
-};
-
-/// When the balls about both pivots that hold the bodies meet and part: any number of turns, one quadratic.
-Window meeting(V3 from, V3 by, double radius)
-{
-    const double grown = radius + tolerance::clip_slack * (norm(from) + norm(by) + radius);
-    const double c = norm_squared(from) - grown * grown, along = dot(from, by), a = norm_squared(by);
-    if (c > 0 && along >= 0) return {.empty = true};
-    const double discriminant = a * grown * grown - norm_squared(cross(from, by));
-    const double root = std::sqrt(std::max(0.0, discriminant));
-    Window w;
-    if (c > 0) {
-        if (discriminant < 0) return {.empty = true};
-        w.begin = c / (root - along) * (1 - tolerance::clip_slack);
-    }
-    const double end = along > 0 ? c / (-along - root) : (root - along) / a;
-    if (end < 1) w.end = end * (1 + tolerance::clip_slack);
-    w.empty = !(w.begin <= 1);
-    return w;
-}
-
-template <class Part>
-Window meeting(const Mover<Core>& a, const Mover<Part>& b, V3 from, V3 by, double target_gap)
-{
-    if constexpr (std::is_same_v<Part, Border>)
-        return {};
-    else
-        return meeting(from, by, a.reach + b.reach + a.part.radius + b.part.radius + target_gap);
-}
 
 double size(const Core& core) { return core.radius; }
 double size(const Border& border) { return std::fabs(border.offset); }

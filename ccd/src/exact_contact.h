@@ -12,7 +12,7 @@ struct Verdict {
     /// separated, touching (at t = 0), hit (not touching at 0, contact by t_max); undecided: the numbers
     /// reach over too many powers of two.
     Status status = Status::undecided;
-    double t = 0;              // hit: proven apart before t; within 16 ulp of contact
+    double t = 0;              // hit: proven apart before t; within 20 ulp of contact
     double t_upper = infinity; // hit: proven in contact by then; at most t_max
 };
 

@@ -126,7 +126,7 @@ double ball_entry(const Point& centre, const Path& path)
 {
     const Point m = path.from - centre;
     const Number a = dot(path.by, path.by), b = dot(path.by, m), c = dot(m, m) - path.reach_squared;
-    return root(b, c, b * b - a * c);
+    return root(b, c, b * b - a * c, Number(1));
 }
 
 double cylinder_entry(const Point& start, const Point& edge, const Path& path)
@@ -135,7 +135,7 @@ double cylinder_entry(const Point& start, const Point& edge, const Path& path)
     const Number length_squared = dot(edge, edge), triple = dot(m, drift);
     const Number c = dot(outward, outward) - path.reach_squared * length_squared;
     const Number discriminant = path.reach_squared * dot(drift, drift) - triple * triple;
-    return root(dot(outward, drift), c, length_squared * discriminant);
+    return root(dot(outward, drift), c, discriminant, length_squared);
 }
 
 double slab_entry(const Face& face, const Path& path)
@@ -147,10 +147,11 @@ double slab_entry(const Face& face, const Path& path)
 
 } // namespace
 
-double root(const Number& b, const Number& c, const Number& disc)
+double root(const Number& b, const Number& c, const Number& disc, const Number& factor)
 {
     if (b.sign() >= 0 || c.sign() <= 0 || disc.sign() < 0) return infinity;
-    return plain(magnitude(c) / (square_root(magnitude(disc)) + magnitude(b)));
+    return plain(magnitude(c) /
+                 (square_root(magnitude(disc)) * square_root(magnitude(factor)) + magnitude(b)));
 }
 
 double descent(const Number& height, const Number& reach_squared, const Number& rate)

@@ -50,15 +50,15 @@ struct Path {
 bool meets(const Polytope&, const Path&, const Number& time);
 
 /// When the path enters each corner's ball, each edge's cylinder without ends and each face's slab without
-/// sides, to 6 u relative, in no order. First contact, if any, is one of them unless it is at the start.
+/// sides, to `exact_root`, in no order. First contact, if any, is one of them unless it is at the start.
 struct EntryTimes {
     double t[26];
     int count = 0;
 };
 EntryTimes entry_times(const Polytope&, const Path&);
 
-/// c / (sqrt(disc) - b), each term known exactly; infinite when b >= 0 or disc < 0.
-double root(const Number& b, const Number& c, const Number& disc);
+/// c / (sqrt(disc factor) - b), each term known exactly; infinite when b >= 0 or disc < 0. factor >= 0.
+double root(const Number& b, const Number& c, const Number& disc, const Number& factor);
 /// (h^2 - reach^2) / ((|h| + reach) g): from height h > reach >= 0 down to reach at the rate g > 0.
 double descent(const Number& height, const Number& reach_squared, const Number& rate);
 

@@ -63,9 +63,9 @@ inline constexpr double witness_depth = 3;
 /// gap.
 inline constexpr double loose_axis = 2;
 
-/// Relative error of a root whose terms are exact but for their conversion to double: 2 u each, halved by the
-/// square root, and three operations.
-inline constexpr double exact_root = 8 * unit_roundoff;
+/// Relative error of a root whose terms are exact but for their conversion to double, 2 u each: 2 u for
+/// c, 4.5 u for the product of two square roots, and three operations.
+inline constexpr double exact_root = 10 * unit_roundoff;
 
 /// A ball that is to hold a shape grows by this part of its radius: many roundings of it.
 inline constexpr double holding_slack = 0x1p-40;
