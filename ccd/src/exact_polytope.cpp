@@ -3,6 +3,8 @@
 
 #include "scaling.h"
 
+#include <array>
+
 namespace brink::exact {
 
 namespace {
@@ -87,6 +89,40 @@ bool over(const Face& face, const Point& point, const Number& weight)
     const Number weight_a = falls ? -height_b : height_b, weight_b = falls ? height_a : -height_a;
     return over(face, weight_a * a + weight_b * b, weight_a + weight_b);
 }
+
+/// Beyond which of a box's six planes a path reaches: only features on those can be nearest to it. All of
+/// them for a polytope that is not a box.
+class Beyond {
+public:
+    Beyond(const Polytope& p, const Point& a, const Point& b) : box_(p.solid)
+    {
+        if (!box_) return;
+        const Point& half = p.corner[7];
+        const auto ask = [&](int axis, const Number& from, const Number& to, const Number& h) {
+            const bool above = at_most(h, from) || at_most(h, to),
+                       below = at_most(from, -h) || at_most(to, -h);
+            sides_[axis] = {below, above};
+        };
+        ask(0, a.x, b.x, half.x);
+        ask(1, a.y, b.y, half.y);
+        ask(2, a.z, b.z, half.z);
+    }
+    /// A corner's number says on which side of each axis it lies.
+    bool corner(int k) const { return on(k, 7); }
+    bool edge(const Polytope& p, int i) const { return on(p.edge[i][0], 7 ^ (p.edge[i][0] ^ p.edge[i][1])); }
+    bool face(const Polytope& p, int i) const { return on(p.face[i][0], 7 ^ (p.face[i][0] ^ p.face[i][2])); }
+
+private:
+    bool on(int corner, int axes) const
+    {
+        if (!box_) return true;
+        for (int axis = 0; axis < 3; ++axis)
+            if (((axes >> axis) & 1) != 0 && !sides_[axis][(corner >> axis) & 1]) return false;
+        return true;
+    }
+    bool box_;
+    std::array<std::array<bool, 2>, 3> sides_{};
+};
 
 bool holds(const Polytope& box, const Point& p)
 {
@@ -240,25 +276,29 @@ bool meets(const Polytope& p, const Path& path, const Number& time)
     const Point by = time * path.by, end = path.from + by;
     if (p.solid && holds(p, path.from)) return true;
     if (p.edges == 0) return within(p.corner[0], path.from, by, dot(by, by), path.reach_squared);
-    for (int i = 0; i < p.edges; ++i)
-        if (within(path.from, by, p.corner[p.edge[i][0]], p.edge_vector(i), path.reach_squared)) return true;
+    const Beyond beyond(p, path.from, end);
     for (int i = 0; i < p.faces; ++i)
-        if (touches(face_of(p, i), path.from, end, path.reach_squared)) return true;
+        if (beyond.face(p, i) && touches(face_of(p, i), path.from, end, path.reach_squared)) return true;
+    for (int i = 0; i < p.edges; ++i)
+        if (beyond.edge(p, i) &&
+            within(path.from, by, p.corner[p.edge[i][0]], p.edge_vector(i), path.reach_squared))
+            return true;
     return false;
 }
 
 EntryTimes entry_times(const Polytope& p, const Path& path)
 {
     EntryTimes out;
+    const Beyond beyond(p, path.from, path.from + path.by);
     const auto add = [&](double t) {
         if (t < infinity) out.t[out.count++] = t;
     };
     for (int i = 0; i < p.corners; ++i)
-        add(ball_entry(p.corner[i], path));
+        if (beyond.corner(i)) add(ball_entry(p.corner[i], path));
     for (int i = 0; i < p.edges; ++i)
-        add(cylinder_entry(p.corner[p.edge[i][0]], p.edge_vector(i), path));
+        if (beyond.edge(p, i)) add(cylinder_entry(p.corner[p.edge[i][0]], p.edge_vector(i), path));
     for (int i = 0; i < p.faces; ++i)
-        add(slab_entry(face_of(p, i), path));
+        if (beyond.face(p, i)) add(slab_entry(face_of(p, i), path));
     return out;
 }
 

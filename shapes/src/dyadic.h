@@ -41,7 +41,8 @@ public:
     Dyadic& operator=(const Dyadic& other)
     {
         if (this == &other) return *this;
-        std::copy_n(other.limb_, other.count_, limb_);
+        for (int i = 0; i < other.count_; ++i)
+            limb_[i] = other.limb_[i];
         count_ = other.count_;
         place_ = other.place_;
         negative_ = other.negative_;
@@ -84,18 +85,11 @@ public:
     {
         Dyadic out;
         if (a.count_ == 0 || b.count_ == 0) return out;
-        out.count_ = std::min(a.count_ + b.count_, Capacity);
-        std::fill_n(out.limb_, out.count_, 0);
-        for (int i = 0; i < a.count_; ++i) {
-            std::uint64_t carry = 0;
-            int k = i;
-            for (int j = 0; j < b.count_ && k < Capacity; ++j, ++k) {
-                const Wide wide = static_cast<Wide>(a.limb_[i]) * b.limb_[j] + out.limb_[k] + carry;
-                out.limb_[k] = static_cast<std::uint64_t>(wide);
-                carry = static_cast<std::uint64_t>(wide >> 64U);
-            }
-            if (k < Capacity) out.limb_[k] = carry;
-        }
+        const int width = std::min(b.count_, Capacity - a.count_);
+        out.limb_[width] = multiplied(out.limb_, a.limb_[0], b.limb_, width);
+        for (int i = 1; i < a.count_; ++i)
+            out.limb_[i + width] = multiplied_onto(out.limb_ + i, a.limb_[i], b.limb_, width);
+        out.count_ = a.count_ + width;
         out.place_ = a.place_ + b.place_;
         out.negative_ = a.negative_ != b.negative_;
         out.trim();
@@ -104,6 +98,31 @@ public:
 
 private:
     __extension__ using Wide = unsigned __int128;
+
+    /// out = factor * limbs; the carry.
+    static std::uint64_t multiplied(std::uint64_t* out, std::uint64_t factor, const std::uint64_t* limbs,
+                                    int count)
+    {
+        std::uint64_t carry = 0;
+        for (int j = 0; j < count; ++j) {
+            const Wide wide = static_cast<Wide>(factor) * limbs[j] + carry;
+            out[j] = static_cast<std::uint64_t>(wide);
+            carry = static_cast<std::uint64_t>(wide >> 64U);
+        }
+        return carry;
+    }
+    /// out += factor * limbs; the carry.
+    static std::uint64_t multiplied_onto(std::uint64_t* out, std::uint64_t factor, const std::uint64_t* limbs,
+                                         int count)
+    {
+        std::uint64_t carry = 0;
+        for (int j = 0; j < count; ++j) {
+            const Wide wide = static_cast<Wide>(factor) * limbs[j] + out[j] + carry;
+            out[j] = static_cast<std::uint64_t>(wide);
+            carry = static_cast<std::uint64_t>(wide >> 64U);
+        }
+        return carry;
+    }
 
     std::uint64_t at(int place) const
     {
@@ -164,8 +183,9 @@ private:
         while (low < count_ && limb_[low] == 0)
             ++low;
         if (low == 0) return;
-        std::copy(limb_ + low, limb_ + count_, limb_);
         count_ -= low;
+        for (int i = 0; i < count_; ++i)
+            limb_[i] = limb_[i + low];
         place_ += low;
     }
 
