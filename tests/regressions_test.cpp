@@ -2,6 +2,10 @@
 #include "support/print.h"
 #include "support/verdict.h"
 
+#if BRINK_HAVE_REFEREE
+#include "support/referee.h"
+#endif
+
 #include <doctest/doctest.h>
 
 using namespace brink;
@@ -16,6 +20,11 @@ void check(const Query& q)
     CAPTURE(in_words(trial.toi()));
     for (const Finding& finding : judge(trial))
         FAIL_CHECK(finding.check, ": ", finding.detail, "\n", as_cpp(q));
+#if BRINK_HAVE_REFEREE
+    if (!refereed(q)) return;
+    for (const Finding& finding : verify(q, trial.toi()))
+        FAIL_CHECK("in 200 digits: ", finding.check, ": ", finding.detail, "\n", as_cpp(q));
+#endif
 }
 
 } // namespace
@@ -147,4 +156,77 @@ TEST_CASE("regression: an edge leaves the rim of a face whose plane it crosses e
                        Vec3(-0x1.42b9328b87cd8p-3, -0x1.21d44f5d1c33dp-1, 0x1.12e7f206e8b2cp-2)},
                 Options{1, 0x1.99edba2a42926p-2, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating,
                         Detail::contact, 256}});
+}
+
+TEST_CASE("regression: a face without area to speak of")
+{
+    // Were `separated`: the normal underflowed, and with it the radius times its length.
+    const Motion down{Pose{Vec3(0, 0, 2), Quat(1, 0, 0, 0)}, Vec3(0, 0, -1.75)};
+    check(Query{Sphere{0.5}, down, Triangle{Vec3(0, 0, 0), Vec3(1e-90, 0, 0), Vec3(0, 1e-90, 0)}, {}, {}});
+    check(Query{Capsule{Vec3(-1, 0, 0), Vec3(1, 1e-200, 0), 0.25},
+                down,
+                Capsule{Vec3(-1, 0, 0), Vec3(1, 0, 0), 0.25},
+                {},
+                {}});
+}
+
+TEST_CASE("regression: a motion whose square underflows")
+{
+    // Was `separated` from the start, though they overlap.
+    check(Query{Sphere{0.7},
+                Motion{Pose{Vec3(0, 0, 0.69), Quat(1, 0, 0, 0)}, Vec3(2.63e-162, 0, 0)},
+                Triangle{Vec3(0, 0, 0), Vec3(1e-3, 0, 0), Vec3(0, 1e-3, 0)},
+                {},
+                {}});
+}
+
+TEST_CASE("regression: a tiny scene beside a pivot that does not matter")
+{
+    // Missed: the pivot's length of 1 hid that all others are near 1e-47.
+    Motion a{Pose{Vec3(-0x1.d967518c7805ap-155, 0x1.5891b538d7e9ap-153, -0x1.917256bc73e5fp-154)},
+             Vec3(0x1.d967518c7805ap-155, -0x1.5891b538d7e9ap-153, 0x1.917256bc73e5fp-154)};
+    a.pivot = Vec3(1, 0, 0);
+    check(Query{Sphere{0x1.a2cc6f3b5629cp-156},
+                a,
+                Triangle{Vec3(0, 0, 0), Vec3(0x1p-156, 0, 0), Vec3(0, 0x1p-156, 0x1p-158)},
+                {},
+                {}});
+}
+
+TEST_CASE("regression: spheres that start 1e8 radii apart and meet off centre")
+{
+    // The normal was that of the motion, 64 degrees off.
+    check(Query{Sphere{0.5}, Motion{Pose{Vec3(5e7, 0.9, 0)}, Vec3(-1e8, 0, 0)}, Sphere{0.5}, {}, {}});
+}
+
+TEST_CASE("regression: t from a bracket that ends at t_max is t from one that does not")
+{
+    const Query q{
+        Sphere{0x1.3049d3b887a93p+1},
+        Motion{Pose{Vec3(-0x1.ccff1e76ad6c6p+0, 0x1.4186dd16c311cp-1, -0x1.1b083ee2a924p-3)},
+               Vec3(-0x1.3f620311b06a1p-4, 0x1.729adc24a8ab8p-5, 0x1.2ae85d3591cedp-2)},
+        Capsule{Vec3(-0x1.f20351c6a4cd1p-1, 0, 0), Vec3(0x1.f20351c6a4cd1p-1, 0, 0), 0x1.aec4525004fa1p-6},
+        Motion{Pose{Vec3(0x1.0d8a4c3ea18b8p-3, -0x1.9f86353f6edacp-1, 0x1.9e212805a2eep-3),
+                    Quat(-0x1.d9163fc740bc2p-2, 0x1.983e34e97beb1p-2, 0x1.580cbc3c23215p-1,
+                         0x1.adad125d02055p-2)},
+               Vec3(0x1.a37e9d651b422p-2, -0x1.e6c5bbac7512ap-3, -0x1.8899f40239229p+0)},
+        {}};
+    check(q);
+    Query bounded = q;
+    bounded.options.t_max = answer(q).t_upper;
+    CHECK(answer(bounded).t == answer(q).t);
+    CHECK(answer(bounded).status == Status::hit);
+}
+
+TEST_CASE("regression: a gap in contact that falls by less than rounding is not called separating")
+{
+    Query q{Sphere{3},
+            Motion{Pose{Vec3(-9, -8, 7)},
+                   Vec3(-0x1.f1c71c71c71c6p+1, -0x1.9c71c71c71c72p+2, -0x1.c71c71c71c71dp+2)},
+            Sphere{0},
+            Motion{Pose{Vec3(-7, -7, 5)}},
+            {}};
+    q.options.start_contact = StartContact::ignore_if_separating;
+    CHECK(answer(q).status == Status::touching);
+    check(q);
 }
