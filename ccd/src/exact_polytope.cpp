@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exact_polytope.h"
 
-#include "scaling.h"
-
 #include <array>
 
 namespace brink::exact {
@@ -131,33 +129,6 @@ bool holds(const Polytope& box, const Point& p)
            at_most(p.z, half.z) && at_most(-p.z, half.z);
 }
 
-Scaled scaled(double mantissa, int exponent)
-{
-    int e = 0;
-    const double m = std::frexp(mantissa, &e);
-    return {m, exponent + e};
-}
-Scaled operator*(Scaled a, Scaled b) { return scaled(a.mantissa * b.mantissa, a.exponent + b.exponent); }
-Scaled operator/(Scaled a, Scaled b) { return scaled(a.mantissa / b.mantissa, a.exponent - b.exponent); }
-Scaled operator+(Scaled a, Scaled b)
-{
-    if (a.mantissa == 0) return b;
-    if (b.mantissa == 0) return a;
-    if (a.exponent < b.exponent) std::swap(a, b);
-    return scaled(a.mantissa + std::ldexp(b.mantissa, b.exponent - a.exponent), a.exponent);
-}
-Scaled square_root(Scaled a)
-{
-    const int odd = a.exponent & 1;
-    return scaled(std::sqrt(std::ldexp(a.mantissa, odd)), (a.exponent - odd) / 2);
-}
-Scaled magnitude(const Number& x)
-{
-    const Scaled s = x.rounded();
-    return {std::fabs(s.mantissa), s.exponent};
-}
-double plain(Scaled a) { return std::ldexp(a.mantissa, a.exponent); }
-
 double ball_entry(const Point& centre, const Path& path)
 {
     const Point m = path.from - centre;
@@ -182,21 +153,6 @@ double slab_entry(const Face& face, const Path& path)
 }
 
 } // namespace
-
-double root(const Number& b, const Number& c, const Number& disc, const Number& factor)
-{
-    if (b.sign() >= 0 || c.sign() <= 0 || disc.sign() < 0) return infinity;
-    return plain(magnitude(c) /
-                 (square_root(magnitude(disc)) * square_root(magnitude(factor)) + magnitude(b)));
-}
-
-double descent(const Number& height, const Number& reach_squared, const Number& rate)
-{
-    const Number above = height * height - reach_squared;
-    if (above.sign() <= 0 || rate.sign() <= 0) return infinity;
-    return plain(magnitude(above) /
-                 ((magnitude(height) + square_root(magnitude(reach_squared))) * magnitude(rate)));
-}
 
 Point point(const Vec3& v, int shift)
 {

@@ -47,10 +47,11 @@ struct Toi {
 
 /// First time in [0, t_max] at which the gap between the two moving shapes is at most target_gap.
 ///
-/// Where only translation matters and the pair has a closed form (README, "Pairs"), hit or miss is the exact answer
-/// for the doubles given, whatever their magnitude, and t_upper is finite; a hit with an infinite t_upper says that
-/// even exact arithmetic could not hold the numbers (quaternion components or lengths that differ by 1e60 or more).
-/// Never throws, allocates or prints; what is not a number or out of range is answered `invalid`.
+/// Where only translation matters and the pair has a closed form (README, "Pairs"), hit or miss is the exact
+/// answer for the doubles given, whatever their magnitude, and t_upper is finite; a hit with an infinite
+/// t_upper says that even exact arithmetic could not hold the numbers (quaternion components that differ by
+/// 1e100 or more). Never throws, allocates or prints; what is not a number or out of range is answered
+/// `invalid`.
 Toi time_of_impact(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
                    const Options& options = {});
 
