@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exact_polytope.h"
 
-#include <array>
-
 namespace brink::exact {
 
 namespace {
@@ -99,7 +97,8 @@ public:
         const auto ask = [&](int axis, const Number& from, const Number& to, const Number& h) {
             const bool above = at_most(h, from) || at_most(h, to),
                        below = at_most(from, -h) || at_most(to, -h);
-            sides_[axis] = {below, above};
+            sides_[axis][0] = below;
+            sides_[axis][1] = above;
         };
         ask(0, a.x, b.x, half.x);
         ask(1, a.y, b.y, half.y);
@@ -119,7 +118,7 @@ private:
         return true;
     }
     bool box_;
-    std::array<std::array<bool, 2>, 3> sides_{};
+    bool sides_[3][2] = {};
 };
 
 bool holds(const Polytope& box, const Point& p)
