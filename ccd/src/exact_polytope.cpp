@@ -23,10 +23,10 @@ bool at_most(const Number& x, const Number& y) { return (x - y).sign() <= 0; }
 }
 
 /// Whether two segments come within reach of each other.
-[[gnu::noinline]] bool within(const Point& start, const Point& d, const Point& other, const Point& e,
+[[gnu::noinline]] bool within(const Point& from, const Point& d, const Point& other, const Point& e,
                               const Number& reach_squared)
 {
-    const Point m = start - other;
+    const Point m = from - other;
     const Number dd = dot(d, d), de = dot(d, e), ee = dot(e, e), dm = dot(d, m), em = dot(e, m);
     const Number area_squared = dd * ee - de * de;
     if (area_squared.sign() > 0) {
@@ -37,8 +37,8 @@ bool at_most(const Number& x, const Number& y) { return (x - y).sign() <= 0; }
             return at_most(height * height, reach_squared * area_squared);
         }
     }
-    return within(start, other, e, ee, reach_squared) || within(start + d, other, e, ee, reach_squared) ||
-           within(other, start, d, dd, reach_squared) || within(other + e, start, d, dd, reach_squared);
+    return within(from, other, e, ee, reach_squared) || within(from + d, other, e, ee, reach_squared) ||
+           within(other, from, d, dd, reach_squared) || within(other + e, from, d, dd, reach_squared);
 }
 
 struct Face {
