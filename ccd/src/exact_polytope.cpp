@@ -43,8 +43,8 @@ bool at_most(const Number& x, const Number& y) { return (x - y).sign() <= 0; }
 
 struct Face {
     Point corner[4];
-    Point
-        outward[4]; // at right angles to the edge that starts at that corner, in the plane; all out or all in
+    /// At right angles to the edge that starts at that corner, in the plane; all out or all in.
+    Point outward[4];
     Point normal;
     int count;
 };
