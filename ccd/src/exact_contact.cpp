@@ -42,14 +42,19 @@ template <class Model> Verdict bracket(const Asked<Model>& asked, EntryTimes tim
     const double* first =
         std::partition_point(times.t, times.t + times.count, [&](double t) { return !reached(t); });
     const double found = first == times.t + times.count ? t_max : *first;
-    Verdict out{Status::hit, 0, upwards(found)};
-    for (double down = tolerance::exact_root; down < 1; down *= 16) {
+    double low = 0, high = found + found * tolerance::exact_root;
+    for (double down = tolerance::exact_root; low == 0 && down < 1; down *= 16) {
         const double t = found - found * down;
-        if (!asked.certainly(false, t)) continue;
-        out.t = t;
-        break;
+        if (asked.certainly(false, t)) low = t;
     }
-    return out;
+    // A few places more. Not by way of t_max, on which t must not depend.
+    for (int i = 0; i < tolerance::halvings; ++i) {
+        const double middle = low + (high - low) / 2;
+        const std::optional<bool> met = asked.meets(middle);
+        if (!met) break;
+        (*met ? high : low) = middle;
+    }
+    return {Status::hit, low, std::min(high, t_max)};
 }
 
 template <class A, class B> Verdict verdict(const Query& q)

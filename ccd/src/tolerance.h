@@ -67,6 +67,9 @@ inline constexpr double loose_axis = 2;
 /// c, 4.5 u for the product of two square roots, and three operations.
 inline constexpr double exact_root = 10 * unit_roundoff;
 
+/// Its bracket, up to 20 places wide, is halved this often: to three places.
+inline constexpr int halvings = 3;
+
 /// A ball that is to hold a shape grows by this part of its radius: many roundings of it.
 inline constexpr double holding_slack = 0x1p-40;
 
