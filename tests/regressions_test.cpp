@@ -230,3 +230,20 @@ TEST_CASE("regression: a gap in contact that falls by less than rounding is not 
     CHECK(answer(q).status == Status::touching);
     check(q);
 }
+
+TEST_CASE("regression: a sphere deeper in a box than its radius by half a rounding, on its way out")
+{
+    // Answered `separated` when the guess has a hundredth of its margin (mutations.sh).
+    check(Query{Sphere{0x1.aad78866ef18cp+0},
+                Motion{Pose{Vec3(-0x1.22d3a8a2b0c25p-1, -0x1.0fa8b2bd8dd24p-1, 0x1.823cb6df53efap+1),
+                            Quat(0x1.53c358p-2, 0x1.738ceap-3, -0x1.d926eep-1, 0x1.bfcbeep-5)},
+                       Vec3(-0x1.839ecd338b568p-3, 0x1.9cf1c622c5d5p-4, 0x1.a74e42e7ac9c6p+0), Vec3(0, 0, 0),
+                       Vec3(0, 0, 0)},
+                Box{Vec3(0x1.09494ee2e6fb1p+0, 0x1.8f03b074004ccp-2, 0x1.0d8f9dcc16829p+0)},
+                Motion{Pose{Vec3(0x1.0860b1ca0dd84p-2, -0x1.3292b950f8948p-2, 0x1.c0c9c7c48fap-9),
+                            Quat(0x1.1e4c8982b7792p-5, 0x1.cf23748df4102p-1, 0x1.031cf61a1f57cp-2,
+                                 -0x1.5d8605bb9d447p-2)},
+                       Vec3(0x1.762dfddfc2a7p+0, -0x1.5ce4b8641c81ap-1, -0x1.78a3024eb3c5dp-1), Vec3(0, 0, 0),
+                       Vec3(0, 0, 0)},
+                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+}
