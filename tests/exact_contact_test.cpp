@@ -3,7 +3,10 @@
 
 #include "support/moving.h"
 #include "support/query.h"
+
+#if BRINK_HAVE_REFEREE
 #include "support/referee.h"
+#endif
 
 #include <doctest/doctest.h>
 

@@ -37,7 +37,7 @@ public:
     Advance(const Mover<Core>& a, const Mover<Part>& b, const Options& options);
     Toi run();
     Toi from_contact();
-    bool proven_in_contact();
+    std::optional<Toi> from_proven_contact();
     void describe(Toi& toi);
 
 private:
@@ -236,10 +236,11 @@ template <class Part> Toi Advance<Part>::from_contact()
     return leave_contact();
 }
 
-template <class Part> bool Advance<Part>::proven_in_contact()
+template <class Part> std::optional<Toi> Advance<Part>::from_proven_contact()
 {
     now_ = pose();
-    return now_.gap < -rounding_;
+    if (!(now_.gap < -rounding_)) return {};
+    return leave_contact();
 }
 
 template <class Part> void Advance<Part>::describe(Toi& toi)
@@ -255,40 +256,36 @@ template <class Part> void Advance<Part>::describe(Toi& toi)
 
 } // namespace
 
-Toi certified_advancement(const Mover<Core>& a, const Mover<Core>& b, const Options& options)
+template <class Part>
+Toi certified_advancement(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
 {
-    return Advance<Core>(a, b, options).run();
-}
-Toi certified_advancement(const Mover<Core>& a, const Mover<Border>& b, const Options& options)
-{
-    return Advance<Border>(a, b, options).run();
+    return Advance<Part>(a, b, options).run();
 }
 
-Toi from_contact(const Mover<Core>& a, const Mover<Core>& b, const Options& options)
+template <class Part> Toi from_contact(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
 {
-    return Advance<Core>(a, b, options).from_contact();
-}
-Toi from_contact(const Mover<Core>& a, const Mover<Border>& b, const Options& options)
-{
-    return Advance<Border>(a, b, options).from_contact();
+    return Advance<Part>(a, b, options).from_contact();
 }
 
-bool proven_in_contact(const Mover<Core>& a, const Mover<Core>& b, const Options& options)
+template <class Part>
+std::optional<Toi> from_proven_contact(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
 {
-    return Advance<Core>(a, b, options).proven_in_contact();
-}
-bool proven_in_contact(const Mover<Core>& a, const Mover<Border>& b, const Options& options)
-{
-    return Advance<Border>(a, b, options).proven_in_contact();
+    return Advance<Part>(a, b, options).from_proven_contact();
 }
 
-void describe_contact(Toi& toi, const Mover<Core>& a, const Mover<Core>& b, const Options& options)
+template <class Part>
+void describe_contact(Toi& toi, const Mover<Core>& a, const Mover<Part>& b, const Options& options)
 {
-    Advance<Core>(a, b, options).describe(toi);
+    Advance<Part>(a, b, options).describe(toi);
 }
-void describe_contact(Toi& toi, const Mover<Core>& a, const Mover<Border>& b, const Options& options)
-{
-    Advance<Border>(a, b, options).describe(toi);
-}
+
+template Toi certified_advancement(const Mover<Core>&, const Mover<Core>&, const Options&);
+template Toi certified_advancement(const Mover<Core>&, const Mover<Border>&, const Options&);
+template Toi from_contact(const Mover<Core>&, const Mover<Core>&, const Options&);
+template Toi from_contact(const Mover<Core>&, const Mover<Border>&, const Options&);
+template std::optional<Toi> from_proven_contact(const Mover<Core>&, const Mover<Core>&, const Options&);
+template std::optional<Toi> from_proven_contact(const Mover<Core>&, const Mover<Border>&, const Options&);
+template void describe_contact(Toi&, const Mover<Core>&, const Mover<Core>&, const Options&);
+template void describe_contact(Toi&, const Mover<Core>&, const Mover<Border>&, const Options&);
 
 } // namespace brink

@@ -13,14 +13,7 @@ struct Segment {
     V3 start, edge;
 };
 
-double clamped(double s) { return s < 0 ? 0 : s > 1 ? 1 : s; }
-
-/// Where on the segment, 0 to 1, `point` comes nearest.
-double nearest_on(const Segment& s, V3 point)
-{
-    const double length_squared = norm_squared(s.edge);
-    return length_squared == 0 ? 0 : clamped(dot(point - s.start, s.edge) / length_squared);
-}
+double nearest_on(const Segment& s, V3 point) { return nearest_on_edge(s.start, s.edge, point); }
 
 struct Places {
     double on_a, on_b; // 0 to 1

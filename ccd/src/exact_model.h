@@ -78,7 +78,7 @@ struct Degrees {
     {
         return length * s.length.limbs() + rotation * s.rotation.limbs() + time * at.limbs() +
                    normal * s.normal.limbs() + 2 <=
-               256;
+               capacity;
     }
 };
 template <class A, class B>

@@ -9,9 +9,10 @@
 /// A moving point against the rounded difference of two cores, in exact numbers.
 namespace brink::exact {
 
-/// Holds every polynomial here for spheres over all of double's range, and for the others while lengths reach
-/// over 1e150 or so.
-using Number = Dyadic<256>;
+/// Limbs of a number: they hold every polynomial here for spheres over all of double's range, and for the
+/// others while lengths differ by less than 1e400 and quaternion components by less than 1e100.
+inline constexpr int capacity = 256;
+using Number = Dyadic<capacity>;
 using Point = XYZ<Number>;
 
 using Turn = WholeTurn<Number>;

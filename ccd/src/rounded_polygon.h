@@ -37,11 +37,13 @@ static inline double face_radius(const Reach& r) { return r.radius + r.margin; }
 static inline double edge_radius(const Reach& r) { return r.radius + 2 * r.margin; }
 static inline double corner_radius(const Reach& r) { return r.radius + 3 * r.margin; }
 
-/// The point of an edge nearest to another point.
-static inline V3 nearest_on_edge(V3 start, V3 edge, V3 point)
+static inline double clamped(double s) { return s < 0 ? 0 : s > 1 ? 1 : s; }
+
+/// Where on an edge, 0 to 1, a point comes nearest; 0 where the edge has no length.
+static inline double nearest_on_edge(V3 start, V3 edge, V3 point)
 {
-    const double along = dot(point - start, edge) / norm_squared(edge);
-    return start + (along < 0 ? 0 : along > 1 ? 1 : along) * edge;
+    const double length_squared = norm_squared(edge);
+    return length_squared == 0 ? 0 : clamped(dot(point - start, edge) / length_squared);
 }
 
 /// From an edge to a point, at right angles to the edge.
@@ -58,7 +60,8 @@ template <class Height, class Later>
 {
     const V3 axis = across(start, edge, m.from + early * m.by);
     return proven(
-        m, r, axis, height(axis), early, [&](V3 p) { return nearest_on_edge(start, edge, p); }, later);
+        m, r, axis, height(axis), early, [&](V3 p) { return start + nearest_on_edge(start, edge, p) * edge; },
+        later);
 }
 template <class Height, class Later>
 [[gnu::always_inline]] inline Entry proven_at_corner(const Approach& m, const Reach& r, V3 corner,

@@ -81,7 +81,9 @@ template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const A
 {
     const Mover<Core> a = mover(as<A>(q.a), q.motion_a);
     const auto b = mover(as<B>(q.b), q.motion_b);
-    if (e.t == 0 && proven_in_contact(a, b, q.options)) return from_contact(a, b, q.options);
+    if (e.t == 0) {
+        if (const std::optional<Toi> toi = from_proven_contact(a, b, q.options)) return *toi;
+    }
     const Verdict v = exact_contact(*q.given);
     switch (v.status) {
     case Status::touching:
