@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # The same bits from every build: builds the library and tests/determinism.cpp in several ways, asks each the same
-# million queries (unoptimised ones the first 100,000) and fails naming the builds that answer in other bits.
+# million queries, or the first 100,000 of them where that would take long, and fails naming the builds that answer in other bits.
 # EIGEN_INCLUDE names another folder than Debian's.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -24,6 +24,7 @@ struct Approach {
     Rotation turn_a() const { return rotation(motion_a.start.orientation); }
     Rotation turn_b() const { return rotation(motion_b.start.orientation); }
 
+    /// What rounding left off `from` and off `by`.
     V3 from_low() const { return difference_low(motion_a.start.position, motion_b.start.position); }
     V3 by_low() const { return difference_low(motion_a.translation, motion_b.translation); }
 

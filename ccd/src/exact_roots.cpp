@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exact_polytope.h"
-#include "scaling.h"
 
 #include <utility>
 

@@ -7,6 +7,7 @@
 #include "tolerance.h"
 
 #include <algorithm>
+#include <limits>
 
 /// Queries in other length units: everything but the times times a power of two.
 namespace brink {

@@ -9,7 +9,7 @@
 /// Exact arithmetic on doubles: for the rare question that rounding must not decide.
 namespace brink {
 
-/// A number as mantissa * 2^exponent, for what does not fit a double's range. 1 <= |mantissa| < 2, or 0.
+/// A number as mantissa * 2^exponent, for what does not fit a double's range. 1/2 <= |mantissa| < 2, or 0.
 struct Scaled {
     double mantissa = 0;
     int exponent = 0;
