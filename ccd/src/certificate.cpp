@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
 
+#include "support.h"
 #include "tolerance.h"
 
 #include <algorithm>
@@ -16,57 +17,79 @@ struct Piece {
     double value, slope;
 };
 
-/// How a body shows along the turning axis: its extreme point's line. `side` is +1 for A, whose largest value
-/// counts, and -1 for B, whose smallest does.
-Piece extreme(const Turning& body, V3 axis, V3 shift, double h, double side)
+/// A's farthest point along the axis, and B's nearest.
+Piece farthest(const Posed<Core>& a, V3 axis, V3 shift, double h)
 {
-    if (body.count == 0) return {body.level, 0};
-    const V3 d = side * (axis + h * shift);
-    int best = 0;
-    double most = dot(d, body.points[0]);
-    for (int k = 1; k < body.count; ++k) {
-        const double value = dot(d, body.points[k]);
-        if (!(value > most)) continue;
-        best = k;
-        most = value;
-    }
-    return {dot(axis, body.points[best]), dot(shift, body.points[best])};
+    const V3 p = support(a.part, axis + h * shift).point;
+    return {dot(axis, p), dot(shift, p)};
+}
+Piece nearest(const Posed<Core>& b, V3 axis, V3 shift, double h)
+{
+    const V3 p = support(b.part, -(axis + h * shift)).point;
+    return {dot(axis, p), dot(shift, p - b.pivot)};
+}
+/// A plane has one possible axis, its own normal, which stays with it.
+Piece nearest(const Posed<Border>& b, V3 axis, V3, double)
+{
+    return {dot(axis, b.part.normal) < 0 ? -b.part.offset : b.part.offset, 0};
 }
 
-/// Bounds the second derivative of n . x for a point x of the body while the axis n turns with `spin`.
-double bend(const Turning& body, V3 spin, V3 axis)
+/// The largest x . q over a body's points about its pivot.
+double reach_along(const Posed<Core>& body, V3 q) { return dot(q, support(body.part, q).point - body.pivot); }
+double reach_along(const Posed<Border>&, V3) { return 0; }
+
+/// What one body adds to the bounds of the second and third derivative of n . x while n turns.
+struct Bend {
+    double second, third;
+    V3 now; // the second derivative of n . x now is x . now
+};
+
+template <class Part> Bend bend(const Posed<Part>& body, const Axis& n)
 {
-    const V3 relative = body.rate - spin;
-    const double rate = norm(relative);
-    const double across = spin == V3{} ? norm(cross(axis, relative)) : rate;
-    return body.reach * (norm(cross(body.rate, spin)) + across * rate);
+    const V3 relative = body.rate - n.spin, u = cross(body.rate, n.spin);
+    const double rate = norm(relative), turn = norm(u), spin = norm(n.spin);
+    const double across = spin == 0 ? norm(cross(n.normal, relative)) : rate;
+    return {body.reach * (turn + across * rate),
+            body.reach * (across * rate * rate + 3 * rate * turn + spin * turn),
+            cross(n.normal, u) + cross(relative, cross(relative, n.normal))};
 }
 
 /// phi(h) = value + slope h - curvature h^2 / 2 <= gap(t + h) for h in [0, horizon]: every pair of points at
 /// once, because the extreme points are those of an axis that moves linearly. phi is concave. Proof:
 /// numerics.md.
-class Bound {
+template <class Part> class Bound {
 public:
-    /// The axis turns with the constant rate `spin`.
-    Bound(const Facing& f, V3 spin, double horizon)
-        : f_(f), shift_a_(cross(f.axis, f.a.rate - spin)), shift_b_(cross(f.axis, f.b.rate - spin))
+    Bound(const Facing<Part>& f, const Axis& axis, double horizon)
+        : f_(f),
+          axis_(axis),
+          shift_a_(cross(axis.normal, f.a.rate - axis.spin)),
+          shift_b_(cross(axis.normal, f.b.rate - axis.spin)),
+          drift_(cross(axis.spin, axis.normal)),
+          slope_(dot(axis.normal, f.velocity) + dot(drift_, f.b.pivot)),
+          now_(piece(0)),
+          horizon_(horizon)
     {
-        const V3 drift = cross(spin, f.axis);
-        slope_ = dot(f.axis, f.velocity) + dot(drift, f.offset);
-        start_ = f.gap - difference(0).value;
-        const Piece now = piece(0);
-        horizon_ = now.slope < 0 && f.gap > 0 ? std::min(horizon, f.gap / -now.slope) : horizon;
-        const double far = std::max(norm(f.offset), norm(f.offset + horizon_ * f.velocity));
-        const double turn = norm(drift);
-        curvature_ = norm(spin) * turn * far + 2 * turn * norm(f.velocity) + bend(f.a, spin, f.axis) +
-                     bend(f.b, spin, f.axis);
+        // Past the root of its tangent a concave function is negative.
+        if (now_.slope < 0 && now_.value > 0) horizon_ = std::min(horizon, now_.value / -now_.slope);
+        const double far = std::max(norm(f.b.pivot), norm(f.b.pivot + horizon_ * f.velocity));
+        const double spin = norm(axis.spin), turn = norm(drift_), speed = norm(f.velocity);
+        const Bend a = bend(f.a, axis), b = bend(f.b, axis);
+        curvature_ = spin * turn * far + 2 * turn * speed + a.second + b.second;
+        if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_.value))) return;
+        const double third = spin * (spin * turn * far + 3 * turn * speed) + a.third + b.third;
+        const double bent = reach_along(f.b, -b.now) + reach_along(f.a, a.now) -
+                            dot(cross(axis.spin, drift_), f.b.pivot) - 2 * dot(drift_, f.velocity);
+        curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
     }
 
     double horizon() const { return horizon_; }
+    double curvature() const { return curvature_; }
+    Piece now() const { return now_; }
     Piece piece(double h) const
     {
-        const Piece d = difference(h);
-        return {start_ + d.value, slope_ + d.slope};
+        const Piece a = farthest(f_.a, axis_.normal, shift_a_, h);
+        const Piece b = nearest(f_.b, axis_.normal, shift_b_, h);
+        return {(b.value - a.value) - f_.margin, slope_ + (b.slope - a.slope)};
     }
     double at(double h, Piece p) const { return p.value + h * p.slope - 0.5 * curvature_ * h * h; }
     /// Where the parabola through this piece falls to `level`; never before phi itself does.
@@ -77,122 +100,73 @@ public:
         if (p.slope > 0) return curvature_ > 0 ? (p.slope + root) / curvature_ : infinity;
         return root - p.slope > 0 ? 2 * above / (root - p.slope) : infinity;
     }
+
+    struct Last {
+        double h, value; // phi(h) or, beyond the last h with phi >= level, a little less than the level
+    };
     /// Newton's method from outside: the largest h, or a little more, with phi(h) >= level.
-    double last(double level) const
+    Last last(double level) const
     {
-        double x = horizon_;
-        for (int i = 0; i < newton_rounds; ++i) {
+        double x = std::min(horizon_, reaches(level, now_));
+        for (int i = 0;; ++i) {
             const Piece p = piece(x);
-            if (at(x, p) >= level) return x;
+            const double value = at(x, p);
+            if (value >= level || i == newton_rounds) return {x, value};
             const double next = reaches(level, p);
-            if (!(next < x)) return x;
+            if (!(next < x)) return {x, value};
             x = next;
         }
-        return x;
     }
 
 private:
-    Piece difference(double h) const
-    {
-        const Piece a = extreme(f_.a, f_.axis, shift_a_, h, 1), b = extreme(f_.b, f_.axis, shift_b_, h, -1);
-        return {b.value - a.value, b.slope - a.slope};
-    }
-
-    const Facing& f_;
-    V3 shift_a_, shift_b_;
-    double slope_ = 0, start_ = 0, horizon_ = 0, curvature_ = 0;
+    const Facing<Part>& f_;
+    const Axis& axis_;
+    V3 shift_a_, shift_b_, drift_;
+    double slope_;
+    Piece now_;
+    double horizon_, curvature_ = 0;
 };
-
-double safe(const Facing& f, V3 spin, double horizon)
-{
-    const Bound bound(f, spin, horizon);
-    const double x = bound.last(0), left = bound.at(x, bound.piece(x));
-    if (left >= 0) return x;
-    return x * (f.gap / (f.gap - left)) * tolerance::step_shrink; // the chord lies below a concave function
-}
-
-double rising(const Facing& f, V3 spin, double horizon)
-{
-    const Bound bound(f, spin, horizon);
-    const double x = bound.last(f.gap);
-    if (x >= horizon && bound.at(x, bound.piece(x)) >= f.gap) return horizon;
-    const double half = 0.5 * x; // the top of a parabola; further on the bound falls again
-    return bound.at(half, bound.piece(half)) >= f.gap ? half : 0;
-}
-
-/// A world-fixed axis falls at most this fast, whatever the points.
-double first_order(const Facing& f, double horizon)
-{
-    const double rate = norm(cross(f.axis, f.a.rate)) * f.a.reach +
-                        norm(cross(f.axis, f.b.rate)) * f.b.reach - dot(f.axis, f.velocity);
-    return rate * horizon <= f.gap ? horizon : f.gap / rate * tolerance::step_shrink;
-}
-
-/// The edges of a body that lie in its supporting plane: one, or some of a face's. Without any, a zero stands
-/// for a corner.
-struct Edges {
-    int count = 0;
-    V3 direction[3]; // unit
-};
-
-Edges edges_across(const Turning& body, V3 axis, double side)
-{
-    int nearest = 0;
-    for (int k = 1; k < body.count; ++k)
-        if (side * dot(axis, body.points[k]) > side * dot(axis, body.points[nearest])) nearest = k;
-    Edges edges;
-    const auto add = [&](V3 along) {
-        const double length = norm(along);
-        if (length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length && edges.count < 3)
-            edges.direction[edges.count++] = (1 / length) * along;
-    };
-    for (int k = 0; k < body.count; ++k)
-        add(body.points[k] - body.points[nearest]);
-    if (body.count == 3 && edges.count == 2)
-        add(body.points[(nearest + 1) % 3] - body.points[(nearest + 2) % 3]);
-    return edges;
-}
-
-/// The rate at which the common normal of two edges really turns, or of an edge and a corner (a zero): a
-/// normal at right angles to edge e of a body that turns with w changes by eta with eta . e = -n . (w x e).
-V3 following(const Facing& f, V3 e, V3 g)
-{
-    const double along_e = -dot(f.axis, cross(f.a.rate, e)), along_g = -dot(f.axis, cross(f.b.rate, g));
-    const double cosine = dot(e, g), rest = 1 - cosine * cosine;
-    if (rest < tolerance::nearly_parallel) return {};
-    const V3 eta = ((along_e - cosine * along_g) / rest) * e + ((along_g - cosine * along_e) / rest) * g;
-    return cross(f.axis, eta);
-}
-
-/// The best step over the axes worth turning: at rest, glued to A, glued to B, and following the edges that
-/// touch; those of faces too where nothing else gets away from the spot. A plane's normal stays with it. Any
-/// rate is valid; the right one makes the steps converge.
-template <class Step> double best(const Facing& f, double horizon, Step step)
-{
-    if (f.b.count == 0) return step(f, f.b.rate, horizon);
-    double h = step(f, V3{}, horizon);
-    const auto better = [&](V3 spin) {
-        if (!(spin == V3{}) && h < horizon) h = std::max(h, step(f, spin, horizon));
-    };
-    better(f.a.rate);
-    better(f.b.rate);
-    const Edges of_a = edges_across(f.a, f.axis, 1), of_b = edges_across(f.b, f.axis, -1);
-    const bool faces = of_a.count > 1 || of_b.count > 1;
-    if (faces && h > tolerance::standstill * horizon) return h;
-    for (int i = 0; i < std::max(1, of_a.count); ++i)
-        for (int k = 0; k < std::max(1, of_b.count); ++k)
-            better(following(f, of_a.direction[i], of_b.direction[k]));
-    return h;
-}
 
 } // namespace
 
-double safe_step(const Facing& f, double horizon)
+template <class Part> Step safe_step(const Facing<Part>& f, const Axis& axis, double horizon)
 {
-    const double simple = f.b.count > 0 ? first_order(f, horizon) : 0;
-    return simple >= horizon ? horizon : std::max(simple, best(f, horizon, safe));
+    const Bound<Part> bound(f, axis, horizon);
+    Step step{bound.now().value, 0, 0};
+    if (!(step.gap > 0)) return step;
+    const auto [x, left] = bound.last(0);
+    // The chord lies below a concave function.
+    step.length = left >= 0 ? x : x * (step.gap / (step.gap - left)) * tolerance::step_shrink;
+    step.residual = bound.curvature() * step.length * step.length;
+    return step;
 }
 
-double rising_step(const Facing& f, double horizon) { return best(f, horizon, rising); }
+template <class Part> double rising_step(const Facing<Part>& f, const Axis& axis, double horizon)
+{
+    const Bound<Part> bound(f, axis, horizon);
+    const double level = bound.now().value;
+    const auto [x, value] = bound.last(level);
+    if (x >= horizon && value >= level) return horizon;
+    const double half = 0.5 * x; // the top of a parabola; further on the bound falls again
+    return bound.at(half, bound.piece(half)) >= level ? half : 0;
+}
+
+template <class Part> double closing_speed(const Facing<Part>& f, const Axis& axis)
+{
+    return -Bound<Part>(f, axis, 0).now().slope;
+}
+
+double closing_rate(const Facing<Core>& f, V3 axis)
+{
+    return norm(cross(axis, f.a.rate)) * f.a.reach + norm(cross(axis, f.b.rate)) * f.b.reach -
+           dot(axis, f.velocity);
+}
+
+template Step safe_step(const Facing<Core>&, const Axis&, double);
+template Step safe_step(const Facing<Border>&, const Axis&, double);
+template double closing_speed(const Facing<Core>&, const Axis&);
+template double closing_speed(const Facing<Border>&, const Axis&);
+template double rising_step(const Facing<Core>&, const Axis&, double);
+template double rising_step(const Facing<Border>&, const Axis&, double);
 
 } // namespace brink

@@ -2,7 +2,6 @@
 #include "mover.h"
 
 #include "tolerance.h"
-#include "trig.h"
 
 #include <algorithm>
 
@@ -17,6 +16,33 @@ double farthest(const Core& core)
         squared = std::max(squared, norm_squared(core.points[k]));
     return std::sqrt(squared) * (1 + tolerance::holding_slack);
 }
+
+Turning turning(V3 v, const Turn& turn)
+{
+    const V3 still = dot(turn.axis, v) * turn.axis;
+    return {still, v - still, cross(turn.axis, v)};
+}
+
+/// Whether the core is given by its corners; else by its axes and centre.
+bool by_corners(const Core& c)
+{
+    using enum Core::Kind;
+    return c.kind == point || c.kind == segment || c.kind == triangle;
+}
+
+void prepare(Mover<Core>& m)
+{
+    if (by_corners(m.part)) {
+        for (int k = 0; k < m.part.count; ++k)
+            m.vectors[k] = turning(m.part.points[k], m.turn);
+        return;
+    }
+    m.vectors[0] = turning(m.part.axes.x, m.turn);
+    m.vectors[1] = turning(m.part.axes.y, m.turn);
+    m.vectors[2] = turning(m.part.axes.z, m.turn);
+    m.vectors[3] = turning(m.part.centre, m.turn);
+}
+void prepare(Mover<Border>& m) { m.vectors[0] = turning(m.part.normal, m.turn); }
 
 template <class Part> Mover<Part> started(const Part& local, const Motion& motion)
 {
@@ -36,6 +62,14 @@ Mover<Core> bounded(const Core& local, const Motion& motion)
     Mover<Core> m = started(local, motion);
     m.reach = farthest(m.part);
     if (m.reach == 0) m.turn = {};
+    if (m.turn.angle > 0) prepare(m);
+    return m;
+}
+
+Mover<Border> unbounded(const Border& local, const Motion& motion)
+{
+    Mover<Border> m = started(local, motion);
+    if (m.turn.angle > 0) prepare(m);
     return m;
 }
 
@@ -59,11 +93,34 @@ Rotation turned(const Turn& turn, double t)
             {ck.z * k.x + sk.y, ck.z * k.y - sk.x, at.cos + ck.z * k.z}};
 }
 
+template <> void Mover<Core>::place(Core& copy, double t, V3 at) const
+{
+    const bool still = turn.angle == 0;
+    const SinCos a = still ? SinCos{0, 1} : sin_cos(t * turn.angle);
+    if (by_corners(part)) {
+        for (int k = 0; k < part.count; ++k)
+            copy.points[k] = (still ? part.points[k] : vectors[k].at(a)) + at;
+        return;
+    }
+    if (still) {
+        copy.centre = part.centre + at;
+        return;
+    }
+    copy.axes = {vectors[0].at(a), vectors[1].at(a), vectors[2].at(a)};
+    copy.centre = vectors[3].at(a) + at;
+}
+
+template <> void Mover<Border>::place(Border& copy, double t, V3 at) const
+{
+    if (turn.angle > 0) copy.normal = vectors[0].at(sin_cos(t * turn.angle));
+    copy.offset = part.offset + dot(copy.normal, at);
+}
+
 Mover<Core> mover(const Sphere& s, const Motion& m) { return bounded(core(s), m); }
 Mover<Core> mover(const Capsule& s, const Motion& m) { return bounded(core(s), m); }
 Mover<Core> mover(const Box& s, const Motion& m) { return bounded(core(s), m); }
 Mover<Core> mover(const Triangle& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Border> mover(const Plane& s, const Motion& m) { return started(border(s), m); }
-Mover<Border> mover(const HalfSpace& s, const Motion& m) { return started(border(s), m); }
+Mover<Border> mover(const Plane& s, const Motion& m) { return unbounded(border(s), m); }
+Mover<Border> mover(const HalfSpace& s, const Motion& m) { return unbounded(border(s), m); }
 
 } // namespace brink
