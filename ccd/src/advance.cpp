@@ -4,6 +4,7 @@
 #include "depth.h"
 #include "leave.h"
 #include "sight.h"
+#include "support.h"
 #include "tolerance.h"
 
 #include <algorithm>

@@ -92,9 +92,9 @@ struct Edge {
 };
 Edge edge_towards(const Core& c, int k, V3 d)
 {
-    const int farthest = support(c, d).corner, bit = 1 << k;
-    const V3 from = corner(c, farthest & ~bit);
-    return {from, corner(c, farthest | bit) - from};
+    const int top = farthest(c, d).corner, bit = 1 << k;
+    const V3 from = corner(c, top & ~bit);
+    return {from, corner(c, top | bit) - from};
 }
 
 Witness over_face(const Core& box, V3 point)
@@ -125,10 +125,10 @@ BoxAxis box_axis(const Core& a, const Core& b)
 Witness box_witness(const Core& a, const Core& b, const BoxAxis& n)
 {
     if (n.a.kind == face) {
-        const Witness w = over_face(a, support(b, -n.normal).point);
+        const Witness w = over_face(a, farthest(b, -n.normal).point);
         return {w.point_a + w.v, -w.v};
     }
-    if (n.b.kind == face) return over_face(b, support(a, n.normal).point);
+    if (n.b.kind == face) return over_face(b, farthest(a, n.normal).point);
     const auto along = [](const Core& c, V3 e) { return e == c.axes.x ? 0 : e == c.axes.y ? 1 : 2; };
     const Edge d = edge_towards(a, along(a, n.a.along), n.normal);
     const Edge e = edge_towards(b, along(b, n.b.along), -n.normal);

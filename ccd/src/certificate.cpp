@@ -18,24 +18,27 @@ struct Piece {
 };
 
 /// A's farthest point along the axis, and B's nearest.
-Piece farthest(const Posed<Core>& a, V3 axis, V3 shift, double h)
+Piece leading(const Posed<Core>& a, V3 axis, V3 shift, double h)
 {
-    const V3 p = support(a.part, axis + h * shift).point;
+    const V3 p = farthest(a.part, axis + h * shift).point;
     return {dot(axis, p), dot(shift, p)};
 }
-Piece nearest(const Posed<Core>& b, V3 axis, V3 shift, double h)
+Piece trailing(const Posed<Core>& b, V3 axis, V3 shift, double h)
 {
-    const V3 p = support(b.part, -(axis + h * shift)).point;
+    const V3 p = farthest(b.part, -(axis + h * shift)).point;
     return {dot(axis, p), dot(shift, p - b.pivot)};
 }
 /// A plane has one possible axis, its own normal, which stays with it.
-Piece nearest(const Posed<Border>& b, V3 axis, V3, double)
+Piece trailing(const Posed<Border>& b, V3 axis, V3, double)
 {
     return {dot(axis, b.part.normal) < 0 ? -b.part.offset : b.part.offset, 0};
 }
 
 /// The largest x . q over a body's points about its pivot.
-double reach_along(const Posed<Core>& body, V3 q) { return dot(q, support(body.part, q).point - body.pivot); }
+double reach_along(const Posed<Core>& body, V3 q)
+{
+    return dot(q, farthest(body.part, q).point - body.pivot);
+}
 double reach_along(const Posed<Border>&, V3) { return 0; }
 
 /// What one body adds to the bounds of the second and third derivative of n . x while n turns.
@@ -87,8 +90,8 @@ public:
     Piece now() const { return now_; }
     Piece piece(double h) const
     {
-        const Piece a = farthest(f_.a, axis_.normal, shift_a_, h);
-        const Piece b = nearest(f_.b, axis_.normal, shift_b_, h);
+        const Piece a = leading(f_.a, axis_.normal, shift_a_, h);
+        const Piece b = trailing(f_.b, axis_.normal, shift_b_, h);
         return {(b.value - a.value) - f_.margin, slope_ + (b.slope - a.slope)};
     }
     double at(double h, Piece p) const { return p.value + h * p.slope - 0.5 * curvature_ * h * h; }

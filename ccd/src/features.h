@@ -8,8 +8,8 @@ namespace brink {
 
 /// What of a body takes part in the closest approach.
 struct Feature {
-    enum class Kind : unsigned char { corner, edge, face };
-    Kind kind = Kind::corner;
+    enum class Kind : unsigned char { vertex, edge, face };
+    Kind kind = Kind::vertex;
     V3 along; // edge: its direction; face: its normal, in either sense; unit
 };
 

@@ -22,7 +22,7 @@ Edges edges_across(const Core& body, V3 axis)
 {
     Edges edges;
     if (!is_polytope(body)) return edges;
-    const int nearest = support(body, axis).corner;
+    const int nearest = farthest(body, axis).corner;
     const V3 top = corner(body, nearest);
     for (int k = 0; k < body.count && edges.count < 3; ++k) {
         const V3 along = corner(body, k) - top;

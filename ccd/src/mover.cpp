@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mover.h"
 
+#include "support.h"
 #include "tolerance.h"
-
-#include <algorithm>
 
 namespace brink {
 
 namespace {
-
-double farthest(const Core& core)
-{
-    double squared = 0;
-    for (int k = 0; k < core.count; ++k)
-        squared = std::max(squared, norm_squared(core.points[k]));
-    return std::sqrt(squared) * (1 + tolerance::holding_slack);
-}
 
 Turning turning(V3 v, const Turn& turn)
 {
@@ -24,11 +15,7 @@ Turning turning(V3 v, const Turn& turn)
 }
 
 /// Whether the core is given by its corners; else by its axes and centre.
-bool by_corners(const Core& c)
-{
-    using enum Core::Kind;
-    return c.kind == point || c.kind == segment || c.kind == triangle;
-}
+bool by_corners(const Core& c) { return c.kind <= Core::Kind::triangle; }
 
 void prepare(Mover<Core>& m)
 {
@@ -54,22 +41,6 @@ template <class Part> Mover<Part> started(const Part& local, const Motion& motio
     m.arm = pivot == V3{} ? V3{} : start * pivot;
     m.translation = load(motion.translation);
     m.turn = turn(motion.rotation);
-    return m;
-}
-
-Mover<Core> bounded(const Core& local, const Motion& motion)
-{
-    Mover<Core> m = started(local, motion);
-    m.reach = farthest(m.part);
-    if (m.reach == 0) m.turn = {};
-    if (m.turn.angle > 0) prepare(m);
-    return m;
-}
-
-Mover<Border> unbounded(const Border& local, const Motion& motion)
-{
-    Mover<Border> m = started(local, motion);
-    if (m.turn.angle > 0) prepare(m);
     return m;
 }
 
@@ -116,11 +87,20 @@ template <> void Mover<Border>::place(Border& copy, double t, V3 at) const
     copy.offset = part.offset + dot(copy.normal, at);
 }
 
-Mover<Core> mover(const Sphere& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Core> mover(const Capsule& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Core> mover(const Box& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Core> mover(const Triangle& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Border> mover(const Plane& s, const Motion& m) { return unbounded(border(s), m); }
-Mover<Border> mover(const HalfSpace& s, const Motion& m) { return unbounded(border(s), m); }
+Mover<Core> mover(const Core& local, const Motion& motion)
+{
+    Mover<Core> m = started(local, motion);
+    m.reach = reach(m.part) * (1 + tolerance::holding_slack);
+    if (m.reach == 0) m.turn = {};
+    if (m.turn.angle > 0) prepare(m);
+    return m;
+}
+
+Mover<Border> mover(const Border& local, const Motion& motion)
+{
+    Mover<Border> m = started(local, motion);
+    if (m.turn.angle > 0) prepare(m);
+    return m;
+}
 
 } // namespace brink

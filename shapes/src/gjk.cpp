@@ -14,14 +14,8 @@ constexpr int most_rounds = 128;
 
 Simplex::Corner corner_towards_origin(const Core& a, const Core& b, V3 v)
 {
-    const SupportPoint on_a = support(a, v), on_b = support(b, -v);
+    const SupportPoint on_a = farthest(a, v), on_b = farthest(b, -v);
     return {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
-}
-
-V3 middle(const Core& c)
-{
-    using enum Core::Kind;
-    return c.kind == point || c.kind == segment || c.kind == triangle ? c.points[0] : c.centre;
 }
 
 /// The different corners of one core that a simplex uses.
