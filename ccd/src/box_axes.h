@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "features.h"
+#include "contact_features.h"
 
 namespace brink {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leave.h"
 
-#include "features.h"
+#include "contact_features.h"
 #include "support.h"
 #include "tolerance.h"
 

@@ -3,7 +3,7 @@
 
 #include "box_axes.h"
 #include "certificate.h"
-#include "features.h"
+#include "contact_features.h"
 
 namespace brink {
 

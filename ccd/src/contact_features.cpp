@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "features.h"
+#include "contact_features.h"
 
 #include "nearest.h"
 #include "support.h"
