@@ -41,7 +41,7 @@ private:
     bool stale(const Step&);
     Toi hit();
     double contact_by();
-    bool in_contact(double t, V3 point_a, V3 point_b);
+    bool in_contact(double later);
     Toi go_on_from(const Separation& start);
     Toi approach();
 
@@ -70,7 +70,7 @@ template <class Part> Separation Advance<Part>::measured()
 /// A first look: most pairs of a step never come near, and their fastest approach shows it.
 template <class Part> Step Advance<Part>::first_step() const
 {
-    const Facing<Part> f = course_.facing();
+    const Facing<Part>& f = course_.facing();
     if constexpr (std::is_same_v<Part, Core>) {
         const double gap = gap_along(f.a.part, f.b.part, sight_.normal) - f.margin;
         const double rate = closing_rate(f, sight_.normal);
@@ -83,7 +83,7 @@ template <class Part> Step Advance<Part>::first_step() const
 
 template <class Part> Step Advance<Part>::best_step() const
 {
-    const Facing<Part> f = course_.facing();
+    const Facing<Part>& f = course_.facing();
     Step best;
     const auto attempt = [&](const Axis& axis) {
         const Step s = safe_step(f, axis, horizon());
@@ -155,7 +155,7 @@ template <class Part> Toi Advance<Part>::approach()
 template <class Part> Separation Advance<Part>::contact() const
 {
     if (sight_.upper == infinity) return course_.separated();
-    const Facing<Part> f = course_.facing();
+    const Facing<Part>& f = course_.facing();
     const V3 n = sight_.axis.normal == V3{} ? sight_.normal : sight_.axis.normal;
     const double apart = dot(sight_.v, n), gap = apart - (course_.radii - course_.options.target_gap);
     const V3 point_a = sight_.point_a + f.a.part.radius * n;
@@ -176,29 +176,31 @@ template <class Part> double Advance<Part>::contact_by()
     const V3 n = sight_.axis.normal == V3{} ? sight_.normal : sight_.axis.normal;
     const double closing = closing_speed(course_.facing(), Axis{n, sight_.axis.spin});
     const double gap = std::max(0.0, dot(sight_.v, n) - course_.radii);
-    const V3 point_a = sight_.point_a, point_b = point_a + sight_.v;
-    const double t = course_.now();
-    for (const double depth : {8 * course_.rounding, 2 * course_.tolerance + 64 * course_.rounding}) {
-        const double later = t + 2 * (gap + depth) / closing;
-        if (!(closing > 0 && later <= 1)) return infinity;
-        const V3 a = course_.a_later(point_a, later), b = course_.b_later(point_b, later);
-        course_.go(later);
-        const bool proven = in_contact(later, a, b);
-        if (proven) return later;
-        course_.go(t);
+    if (!(closing > 0)) return infinity;
+    for (const double deep : {8 * course_.rounding, 2 * course_.tolerance + 64 * course_.rounding}) {
+        const double later = course_.now() + 2 * (gap + deep) / closing;
+        if (later <= 1 && in_contact(later)) return later;
     }
     return infinity;
 }
 
-/// Whether a pair of points, one of A and one of B, proves contact where the bodies are now.
-template <class Part> bool Advance<Part>::in_contact(double, V3 point_a, V3 point_b)
+/// Whether the witness points, which go with their bodies, prove contact at a later time.
+template <class Part> bool Advance<Part>::in_contact(double later)
 {
-    const Facing<Part> f = course_.facing();
     if constexpr (std::is_same_v<Part, Border>) {
-        return separation(f.a.part, f.b.part).gap + course_.rounding <= course_.options.target_gap;
+        const double now = course_.now();
+        course_.go(later);
+        const double gap = course_.separated().gap;
+        course_.go(now);
+        return gap + course_.rounding <= course_.options.target_gap;
     } else {
-        if (norm(point_b - point_a) + course_.rounding <= course_.radii) return true;
-        return depth(f.b.part, point_a) > course_.rounding || depth(f.a.part, point_b) > course_.rounding;
+        const V3 a = sight_.point_a, b = a + sight_.v;
+        if (course_.radii > 0)
+            return norm(course_.b_then(b, later) - course_.a_then(a, later)) + course_.rounding <=
+                   course_.radii;
+        const Facing<Core>& f = course_.facing();
+        return depth(f.b.part, course_.a_seen_from_b(a, later)) > course_.rounding ||
+               depth(f.a.part, course_.b_seen_from_a(b, later)) > course_.rounding;
     }
 }
 

@@ -86,6 +86,8 @@ void try_edges(const Boxes& s, Best& best)
 
 V3 axis(const Core& c, int k) { return k == 0 ? c.axes.x : k == 1 ? c.axes.y : c.axes.z; }
 
+V3 facing(V3 n, double side) { return side < 0 ? -n : n; }
+
 /// The edge of a box along its axis k that lies farthest along d.
 struct Edge {
     V3 from, by;
@@ -111,27 +113,33 @@ BoxAxis box_axis(const Core& a, const Core& b)
     Best best;
     try_faces(s, best);
     try_edges(s, best);
-    if (best.index < 6) {
-        const V3 n = best.index < 3 ? axis(a, best.index) : axis(b, best.index - 3);
-        const Feature side{face, n};
-        const V3 normal = best.side < 0 ? -n : n;
-        return best.index < 3 ? BoxAxis{best.gap, normal, side, {}} : BoxAxis{best.gap, normal, {}, side};
-    }
-    const V3 e = axis(a, (best.index - 6) / 3), f = axis(b, (best.index - 6) % 3);
-    const V3 n = cross(e, f);
-    return {best.gap, ((best.side < 0 ? -1 : 1) / norm(n)) * n, {edge, e}, {edge, f}};
+    if (best.index < 3) return {best.gap, facing(axis(a, best.index), best.side), best.index};
+    if (best.index < 6) return {best.gap, facing(axis(b, best.index - 3), best.side), best.index};
+    const V3 n = cross(axis(a, (best.index - 6) / 3), axis(b, (best.index - 6) % 3));
+    return {best.gap, facing((1 / norm(n)) * n, best.side), best.index};
 }
 
-Witness box_witness(const Core& a, const Core& b, const BoxAxis& n)
+Feature feature_of_a(const Core& a, int index)
 {
-    if (n.a.kind == face) {
-        const Witness w = over_face(a, farthest(b, -n.normal).point);
+    if (index < 3) return {face, axis(a, index)};
+    return index < 6 ? Feature{} : Feature{edge, axis(a, (index - 6) / 3)};
+}
+
+Feature feature_of_b(const Core& b, int index)
+{
+    if (index < 3) return {};
+    return index < 6 ? Feature{face, axis(b, index - 3)} : Feature{edge, axis(b, (index - 6) % 3)};
+}
+
+Witness box_witness(const Core& a, const Core& b, int index, V3 normal)
+{
+    if (index < 3) {
+        const Witness w = over_face(a, farthest(b, -normal).point);
         return {w.point_a + w.v, -w.v};
     }
-    if (n.b.kind == face) return over_face(b, farthest(a, n.normal).point);
-    const auto along = [](const Core& c, V3 e) { return e == c.axes.x ? 0 : e == c.axes.y ? 1 : 2; };
-    const Edge d = edge_towards(a, along(a, n.a.along), n.normal);
-    const Edge e = edge_towards(b, along(b, n.b.along), -n.normal);
+    if (index < 6) return over_face(b, farthest(a, normal).point);
+    const Edge d = edge_towards(a, (index - 6) / 3, normal);
+    const Edge e = edge_towards(b, (index - 6) % 3, -normal);
     const V3 r = e.from - d.from;
     const auto [s, t] = nearest_parameters(r, d.by, e.by);
     return {d.from + s * d.by, r + t * e.by - s * d.by};

@@ -5,6 +5,7 @@
 #include "tolerance.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace brink {
 
@@ -17,43 +18,91 @@ struct Piece {
     double value, slope;
 };
 
-/// A's farthest point along the axis, and B's nearest.
-Piece leading(const Posed<Core>& a, V3 axis, V3 shift, double h)
-{
-    const V3 p = farthest(a.part, axis + h * shift).point;
-    return {dot(axis, p), dot(shift, p)};
-}
-Piece trailing(const Posed<Core>& b, V3 axis, V3 shift, double h)
-{
-    const V3 p = farthest(b.part, -(axis + h * shift)).point;
-    return {dot(axis, p), dot(shift, p - b.pivot)};
-}
+/// How a body shows along an axis n + h shift, for all h: where its extreme points lie. Of a few corners, and
+/// of a box, no more is needed than their lines.
+class Shadow {
+public:
+    Shadow(const Posed<Core>& body, V3 axis, V3 shift) : body_(body), axis_(axis), shift_(shift)
+    {
+        const Core& c = body.part;
+        const V3 h = c.half_extents, axes[3] = {c.axes.x, c.axes.y, c.axes.z};
+        if (c.kind <= Core::Kind::triangle) {
+            for (int k = 0; k < c.count; ++k)
+                line_[k] = {dot(axis, c.points[k]), dot(shift, c.points[k] - body.pivot)};
+        } else if (c.kind == Core::Kind::box) {
+            middle_ = {dot(axis, c.centre), dot(shift, c.centre - body.pivot)};
+            const double half[3] = {h.x, h.y, h.z};
+            for (int k = 0; k < 3; ++k)
+                line_[k] = {half[k] * dot(axis, axes[k]), half[k] * dot(shift, axes[k])};
+        }
+    }
+    /// The line of the point that lies farthest along the axis, or against it where `side` is -1.
+    Piece extreme(double h, double side) const
+    {
+        const Core& c = body_.part;
+        if (c.kind == Core::Kind::box) {
+            Piece p = middle_;
+            for (const Piece& l : line_) {
+                const double sign = l.value + h * l.slope > 0 ? side : -side;
+                p = {p.value + sign * l.value, p.slope + sign * l.slope};
+            }
+            return p;
+        }
+        if (c.kind <= Core::Kind::triangle) {
+            Piece best = line_[0];
+            for (int k = 1; k < c.count; ++k)
+                if (side * (line_[k].value + h * line_[k].slope) > side * (best.value + h * best.slope))
+                    best = line_[k];
+            return best;
+        }
+        const V3 p = farthest(c, side * (axis_ + h * shift_)).point;
+        return {dot(axis_, p), dot(shift_, p - body_.pivot)};
+    }
+
+private:
+    const Posed<Core>& body_;
+    V3 axis_, shift_;
+    Piece middle_{}, line_[3]{};
+};
+
 /// A plane has one possible axis, its own normal, which stays with it.
-Piece trailing(const Posed<Border>& b, V3 axis, V3, double)
-{
-    return {dot(axis, b.part.normal) < 0 ? -b.part.offset : b.part.offset, 0};
-}
+class Level {
+public:
+    Level(const Posed<Border>& body, V3 axis, V3)
+        : value_(dot(axis, body.part.normal) < 0 ? -body.part.offset : body.part.offset)
+    {
+    }
+    Piece extreme(double, double) const { return {value_, 0}; }
+
+private:
+    double value_;
+};
+
+template <class Part> using ShadowOf = std::conditional_t<std::is_same_v<Part, Core>, Shadow, Level>;
 
 /// The largest x . q over a body's points about its pivot.
-double reach_along(const Posed<Core>& body, V3 q)
-{
-    return dot(q, farthest(body.part, q).point - body.pivot);
-}
+double reach_along(const Posed<Core>& body, V3 q) { return interval(body.part, q).high - dot(q, body.pivot); }
 double reach_along(const Posed<Border>&, V3) { return 0; }
 
 /// What one body adds to the bounds of the second and third derivative of n . x while n turns.
 struct Bend {
-    double second, third;
+    double second = 0, third = 0;
     V3 now; // the second derivative of n . x now is x . now
 };
 
-template <class Part> Bend bend(const Posed<Part>& body, const Axis& n)
+template <class Part> Bend bend(const Posed<Part>& body, const Axis& n, double spin)
 {
-    const V3 relative = body.rate - n.spin, u = cross(body.rate, n.spin);
-    const double rate = norm(relative), turn = norm(u), spin = norm(n.spin);
-    const double across = spin == 0 ? norm(cross(n.normal, relative)) : rate;
-    return {body.reach * (turn + across * rate),
-            body.reach * (across * rate * rate + 3 * rate * turn + spin * turn),
+    const V3 relative = body.rate - n.spin;
+    if (relative == V3{}) return {}; // the axis is glued to it
+    if (spin == 0) {
+        const V3 m = cross(n.normal, body.rate);
+        const double across = norm(m) * body.angle;
+        return {body.reach * across, body.reach * across * body.angle, cross(m, body.rate)};
+    }
+    const V3 u = cross(body.rate, n.spin);
+    const double rate = norm(relative), turn = norm(u);
+    return {body.reach * (turn + rate * rate),
+            body.reach * (rate * rate * rate + 3 * rate * turn + spin * turn),
             cross(n.normal, u) + cross(relative, cross(relative, n.normal))};
 }
 
@@ -65,8 +114,8 @@ public:
     Bound(const Facing<Part>& f, const Axis& axis, double horizon)
         : f_(f),
           axis_(axis),
-          shift_a_(cross(axis.normal, f.a.rate - axis.spin)),
-          shift_b_(cross(axis.normal, f.b.rate - axis.spin)),
+          a_(f.a, axis.normal, cross(axis.normal, f.a.rate - axis.spin)),
+          b_(f.b, axis.normal, cross(axis.normal, f.b.rate - axis.spin)),
           drift_(cross(axis.spin, axis.normal)),
           slope_(dot(axis.normal, f.velocity) + dot(drift_, f.b.pivot)),
           now_(piece(0)),
@@ -74,15 +123,7 @@ public:
     {
         // Past the root of its tangent a concave function is negative.
         if (now_.slope < 0 && now_.value > 0) horizon_ = std::min(horizon, now_.value / -now_.slope);
-        const double far = std::max(norm(f.b.pivot), norm(f.b.pivot + horizon_ * f.velocity));
-        const double spin = norm(axis.spin), turn = norm(drift_), speed = norm(f.velocity);
-        const Bend a = bend(f.a, axis), b = bend(f.b, axis);
-        curvature_ = spin * turn * far + 2 * turn * speed + a.second + b.second;
-        if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_.value))) return;
-        const double third = spin * (spin * turn * far + 3 * turn * speed) + a.third + b.third;
-        const double bent = reach_along(f.b, -b.now) + reach_along(f.a, a.now) -
-                            dot(cross(axis.spin, drift_), f.b.pivot) - 2 * dot(drift_, f.velocity);
-        curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
+        bend_towards();
     }
 
     double horizon() const { return horizon_; }
@@ -90,8 +131,7 @@ public:
     Piece now() const { return now_; }
     Piece piece(double h) const
     {
-        const Piece a = leading(f_.a, axis_.normal, shift_a_, h);
-        const Piece b = trailing(f_.b, axis_.normal, shift_b_, h);
+        const Piece a = a_.extreme(h, 1), b = b_.extreme(h, -1);
         return {(b.value - a.value) - f_.margin, slope_ + (b.slope - a.slope)};
     }
     double at(double h, Piece p) const { return p.value + h * p.slope - 0.5 * curvature_ * h * h; }
@@ -122,9 +162,29 @@ public:
     }
 
 private:
+    void bend_towards()
+    {
+        const double spin = norm(axis_.spin);
+        const Bend a = bend(f_.a, axis_, spin), b = bend(f_.b, axis_, spin);
+        curvature_ = a.second + b.second;
+        double third = a.third + b.third;
+        if (spin > 0) {
+            const double far = std::max(norm(f_.b.pivot), norm(f_.b.pivot + horizon_ * f_.velocity));
+            const double turn = norm(drift_), speed = norm(f_.velocity);
+            curvature_ += spin * turn * far + 2 * turn * speed;
+            third += spin * (spin * turn * far + 3 * turn * speed);
+        }
+        if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_.value))) return;
+        const double bent = reach_along(f_.b, -b.now) + reach_along(f_.a, a.now) -
+                            dot(cross(axis_.spin, drift_), f_.b.pivot) - 2 * dot(drift_, f_.velocity);
+        curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
+    }
+
     const Facing<Part>& f_;
     const Axis& axis_;
-    V3 shift_a_, shift_b_, drift_;
+    Shadow a_;
+    ShadowOf<Part> b_;
+    V3 drift_;
     double slope_;
     Piece now_;
     double horizon_, curvature_ = 0;
@@ -156,7 +216,10 @@ template <class Part> double rising_step(const Facing<Part>& f, const Axis& axis
 
 template <class Part> double closing_speed(const Facing<Part>& f, const Axis& axis)
 {
-    return -Bound<Part>(f, axis, 0).now().slope;
+    const Piece a = Shadow(f.a, axis.normal, cross(axis.normal, f.a.rate - axis.spin)).extreme(0, 1);
+    const Piece b = ShadowOf<Part>(f.b, axis.normal, cross(axis.normal, f.b.rate - axis.spin)).extreme(0, -1);
+    const V3 drift = cross(axis.spin, axis.normal);
+    return (a.slope - b.slope) - (dot(axis.normal, f.velocity) + dot(drift, f.b.pivot));
 }
 
 double closing_rate(const Facing<Core>& f, V3 axis)

@@ -11,6 +11,7 @@ template <class Part> struct Posed {
     V3 pivot;
     double reach;
     V3 rate;
+    double angle; // |rate|
 };
 
 /// Two bodies at time t.
@@ -32,7 +33,7 @@ struct Axis {
 struct Step {
     double gap = 0;      // now, between the supporting planes at right angles to it
     double length = 0;   // of time, over which the gap is proven to stay at or above zero
-    double residual = 0; // that is all of the gap that the same axis can leave after it, rounding left out
+    double residual = 0; // about as much of the gap as the same axis leaves after it
 };
 
 /// The step that an axis proves from here; no longer than the horizon. Nothing where the gap is not positive.

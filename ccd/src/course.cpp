@@ -30,11 +30,15 @@ Course<Part>::Course(const Mover<Core>& a, const Mover<Part>& b, const Options& 
       a_(a),
       b_(b),
       from_((b.position - a.position) + (b.arm - a.arm)),
-      velocity_(b.translation - a.translation),
       part_a_(a.part),
-      part_b_(b.part)
+      part_b_(b.part),
+      facing_{{part_a_, {}, a.reach, a.turn.rate, a.turn.angle},
+              {part_b_, from_, b.reach, b.turn.rate, b.turn.angle},
+              b.translation - a.translation,
+              0}
 {
-    const double distance = norm(b.position - a.position), travel = norm(velocity_);
+    const V3 velocity = facing_.velocity;
+    const double distance = norm(b.position - a.position), travel = norm(velocity);
     const double swing = std::is_same_v<Part, Border> ? norm(from_) + travel + a.reach : b.reach;
     const double lengths =
         distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + o.target_gap;
@@ -42,32 +46,34 @@ Course<Part>::Course(const Mover<Core>& a, const Mover<Part>& b, const Options& 
     rounding = tolerance::certificate_slack * lengths;
     slack = std::min(rounding, 0.5 * tolerance);
     fastest = travel + a.turn.angle * a.reach + b.turn.angle * swing;
-    window = meeting(a, b, from_, velocity_, o.target_gap + slack);
+    facing_.margin = radii + slack;
+    window = meeting(a, b, from_, velocity, o.target_gap + slack);
 }
 
 template <class Part> void Course<Part>::go(double time)
 {
     t_ = time;
-    offset_ = from_ + t_ * velocity_;
+    facing_.b.pivot = from_ + t_ * facing_.velocity;
     a_.place(part_a_, t_, {});
-    b_.place(part_b_, t_, offset_);
+    b_.place(part_b_, t_, facing_.b.pivot);
 }
 
-template <class Part> Facing<Part> Course<Part>::facing() const
-{
-    return {{part_a_, {}, a_.reach, a_.turn.rate},
-            {part_b_, offset_, b_.reach, b_.turn.rate},
-            velocity_,
-            radii + slack};
-}
-
-template <class Part> V3 Course<Part>::a_later(V3 point, double time) const
+template <class Part> V3 Course<Part>::a_then(V3 point, double time) const
 {
     return turned(a_.turn, time - t_) * point;
 }
-template <class Part> V3 Course<Part>::b_later(V3 point, double time) const
+template <class Part> V3 Course<Part>::b_then(V3 point, double time) const
 {
-    return turned(b_.turn, time - t_) * (point - offset_) + (from_ + time * velocity_);
+    return turned(b_.turn, time - t_) * (point - facing_.b.pivot) + (from_ + time * facing_.velocity);
+}
+template <class Part> V3 Course<Part>::a_seen_from_b(V3 point, double time) const
+{
+    return into(turned(b_.turn, time - t_), a_then(point, time) - (from_ + time * facing_.velocity)) +
+           facing_.b.pivot;
+}
+template <class Part> V3 Course<Part>::b_seen_from_a(V3 point, double time) const
+{
+    return into(turned(a_.turn, time - t_), b_then(point, time));
 }
 
 template <class Part> Toi Course<Part>::answer(Status status, const Separation& s) const

@@ -12,14 +12,19 @@ namespace brink {
 template <class Part> class Course {
 public:
     Course(const Mover<Core>& a, const Mover<Part>& b, const Options& options);
+    Course(const Course&) = delete;
+    Course& operator=(const Course&) = delete;
 
     /// Moves both to their place at time t.
     void go(double time);
     double now() const { return t_; }
-    Facing<Part> facing() const;
-    /// Where a point of A, and one of B, will be at another time.
-    V3 a_later(V3 point, double time) const;
-    V3 b_later(V3 point, double time) const;
+    const Facing<Part>& facing() const { return facing_; }
+    /// Where a point of A now, or of B, is at another time.
+    V3 a_then(V3 point, double time) const;
+    V3 b_then(V3 point, double time) const;
+    /// The place it has at that time beside the other body, where that is now.
+    V3 a_seen_from_b(V3 point, double time) const;
+    V3 b_seen_from_a(V3 point, double time) const;
     Separation separated() const { return separation(part_a_, part_b_); }
 
     Toi apart() const { return {.status = Status::separated, .t = options.t_max, .iterations = iterations}; }
@@ -40,11 +45,11 @@ public:
 private:
     const Mover<Core>& a_;
     const Mover<Part>& b_;
-    V3 from_, velocity_; // of B's pivot, relative to A's
+    V3 from_; // from A's pivot to B's at the start
     double t_ = 0;
     Core part_a_; // placed
     Part part_b_;
-    V3 offset_; // from A's pivot to B's
+    Facing<Part> facing_;
 };
 
 } // namespace brink

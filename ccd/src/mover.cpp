@@ -31,17 +31,39 @@ void prepare(Mover<Core>& m)
 }
 void prepare(Mover<Border>& m) { m.vectors[0] = turning(m.part.normal, m.turn); }
 
-template <class Part> Mover<Part> started(const Part& local, const Motion& motion)
+/// The part as it starts, about its pivot.
+Core started(const Core& local, const Rotation& start, V3 pivot)
+{
+    Core c = local;
+    if (by_corners(local)) {
+        // A sphere on its pivot: its orientation was never looked at, and may be anything.
+        if (local.kind == Core::Kind::point && local.points[0] == pivot) {
+            c.points[0] = {};
+            return c;
+        }
+        for (int k = 0; k < local.count; ++k)
+            c.points[k] = start * (local.points[k] - pivot);
+        return c;
+    }
+    const double unit = local.axes.x.x; // a hull's length; its own axes are not turned
+    c.axes = {unit * start.x, unit * start.y, unit * start.z};
+    if (!(local.centre == pivot)) c.centre = start * (local.centre - pivot);
+    return c;
+}
+Border started(const Border& local, const Rotation& start, V3 pivot)
+{
+    return placed(placed(local, {}, -pivot), start, {});
+}
+
+template <class Part> void start(Mover<Part>& m, const Part& local, const Motion& motion)
 {
     const V3 pivot = load(motion.pivot);
-    const Rotation start = rotation(motion.start.orientation);
-    Mover<Part> m;
-    m.part = placed(placed(local, {}, -pivot), start, {});
+    const Rotation turned = rotation(motion.start.orientation);
+    m.part = started(local, turned, pivot);
     m.position = load(motion.start.position);
-    m.arm = pivot == V3{} ? V3{} : start * pivot;
+    m.arm = pivot == V3{} ? V3{} : turned * pivot;
     m.translation = load(motion.translation);
     m.turn = turn(motion.rotation);
-    return m;
 }
 
 } // namespace
@@ -89,7 +111,8 @@ template <> void Mover<Border>::place(Border& copy, double t, V3 at) const
 
 Mover<Core> mover(const Core& local, const Motion& motion)
 {
-    Mover<Core> m = started(local, motion);
+    Mover<Core> m;
+    start(m, local, motion);
     m.reach = reach(m.part) * (1 + tolerance::holding_slack);
     if (m.reach == 0) m.turn = {};
     if (m.turn.angle > 0) prepare(m);
@@ -98,7 +121,8 @@ Mover<Core> mover(const Core& local, const Motion& motion)
 
 Mover<Border> mover(const Border& local, const Motion& motion)
 {
-    Mover<Border> m = started(local, motion);
+    Mover<Border> m;
+    start(m, local, motion);
     if (m.turn.angle > 0) prepare(m);
     return m;
 }

@@ -79,6 +79,15 @@ Sight look_at_box_point(const Facing<Core>& f)
     return seen(f, feature, {}, p + v, -v);
 }
 
+/// The corner of the difference that lies farthest against a normal: where GJK may begin.
+Simplex towards(const Core& a, const Core& b, V3 normal)
+{
+    const SupportPoint on_a = farthest(a, normal), on_b = farthest(b, -normal);
+    Simplex s;
+    s.add({on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1});
+    return s;
+}
+
 } // namespace
 
 Watch::Method Watch::method(const Core& a, const Core& b)
@@ -117,15 +126,12 @@ Sight Watch::look(const Facing<Core>& f)
 Sight Watch::look_at_boxes(const Facing<Core>& f)
 {
     const BoxAxis best = box_axis(f.a.part, f.b.part);
-    Sight s;
+    box_index_ = best.index;
+    towards_ = best.normal;
+    Sight s = follow(f);
     s.normal = best.normal;
-    s.axis = axis_between(best.a, f.a.rate, best.b, f.b.rate, best.normal, best.normal);
-    s.axis.normal = best.normal;
     if (best.gap > nearby_) return s;
-    const auto [point_a, v] = box_witness(f.a.part, f.b.part, best);
-    s.upper = norm(v);
-    s.point_a = point_a;
-    s.v = v;
+    land(f, s);
     if (s.upper <= nearby_) return s;
     method_ = Method::any; // past the ends of both features: no separating axis shows that distance
     return look_by_gjk(f);
@@ -135,9 +141,14 @@ Sight Watch::look_by_gjk(const Facing<Core>& f)
 {
     const Core &a = f.a.part, &b = f.b.part;
     const double scale = f.a.reach + f.b.reach + norm(f.b.pivot);
-    const Simplex start = corners_.known() ? corners_.simplex(a, b) : Simplex{};
+    const Simplex start = corners_.known()   ? corners_.simplex(a, b)
+                          : towards_ == V3{} ? Simplex{}
+                                             : towards(a, b, towards_);
     const bool smooth = a.count == 0 || b.count == 0;
-    const Closest c = gjk(a, b, {tolerance::tight * scale, smooth ? 1e-6 : 1e-12}, start);
+    const Nearness near{tolerance::tight * scale, smooth ? 1e-6 : 1e-12};
+    Closest c = gjk(a, b, near, start);
+    // Rounding may close a flat simplex over the origin: the last axis knows whether they are apart.
+    if (c.inside && gap_along(a, b, towards_) > 0) c = gjk(a, b, near, towards(a, b, towards_));
     if (c.inside || c.normal == V3{}) return look_hard(f);
     Sight s;
     s.normal = towards_ = c.normal;
@@ -171,18 +182,28 @@ Sight Watch::follow(const Facing<Core>& f) const
 {
     const Core &a = f.a.part, &b = f.b.part;
     Sight s;
-    s.axis = axis_between(corners_.feature_of_a(a), f.a.rate, corners_.feature_of_b(b), f.b.rate,
-                          corners_.between(a, b), towards_);
+    if (method_ == Method::boxes)
+        s.axis = axis_between(feature_of_a(a, box_index_), f.a.rate, feature_of_b(b, box_index_), f.b.rate,
+                              towards_, towards_);
+    else
+        s.axis = axis_between(corners_.feature_of_a(a), f.a.rate, corners_.feature_of_b(b), f.b.rate,
+                              corners_.between(a, b), towards_);
     return s;
 }
 
 void Watch::land(const Facing<Core>& f, Sight& s) const
 {
-    Simplex simplex = corners_.simplex(f.a.part, f.b.part);
-    simplex.reduce();
-    if (simplex.size == 4) return;
-    s.point_a = simplex.on_a();
-    s.v = simplex.point();
+    if (method_ == Method::boxes) {
+        const Witness w = box_witness(f.a.part, f.b.part, box_index_, s.axis.normal);
+        s.point_a = w.point_a;
+        s.v = w.v;
+    } else {
+        Simplex simplex = corners_.simplex(f.a.part, f.b.part);
+        simplex.reduce();
+        if (simplex.size == 4) return;
+        s.point_a = simplex.on_a();
+        s.v = simplex.point();
+    }
     s.upper = norm(s.v);
 }
 

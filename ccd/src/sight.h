@@ -27,7 +27,7 @@ public:
     /// The same by the longest way, which nothing can lead astray.
     static Sight look_hard(const Facing<Core>&);
     /// Whether the features last seen can be followed without an evaluation.
-    bool can_follow() const { return corners_.known(); }
+    bool can_follow() const { return method_ == Method::boxes || corners_.known(); }
     /// The axis that the features last seen ask for now.
     Sight follow(const Facing<Core>&) const;
     /// Fills in the nearest points of those features.
@@ -41,8 +41,9 @@ private:
 
     Method method_;
     double nearby_;
-    Corners corners_; // of the simplex last seen
-    V3 towards_;      // the normal last seen
+    Corners corners_;   // of the simplex last seen
+    int box_index_ = 0; // the axis last seen
+    V3 towards_;        // the normal last seen
 };
 
 /// Looks at a body and a plane or half-space, which takes no more than support points.

@@ -81,6 +81,8 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         if (lower > c.lower) c.lower = lower, c.normal = (1 / distance) * c.v;
         if (distance - lower <= near.slack + near.relative * distance) {
             c.certain = true;
+            c.lower = lower;
+            c.normal = (1 / distance) * c.v;
             c.point_a = c.simplex.on_a();
             return c;
         }
