@@ -81,6 +81,10 @@ inline constexpr double rate_slack = 32 * unit_roundoff;
 /// is worth two more support points: a guess, on which no answer's validity rests.
 inline constexpr double much_curved = 0.02;
 
+/// Bounds of a gap that come this near, as a part of its rounding, show a contact as well as any (8 eps of
+/// the lengths): the same that distance() asks of itself.
+inline constexpr double shown = 0.125;
+
 /// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
 inline constexpr int most_followed = 12;
 
