@@ -5,6 +5,7 @@
 #include "feature_pairs.h"
 #include "gjk.h"
 #include "nearest.h"
+#include "round_axis.h"
 #include "sat.h"
 #include "support.h"
 #include "tolerance.h"
@@ -92,12 +93,24 @@ Separation by_features(const Core& a, const Core& b, const Axis& axis, double sl
             pair.point_a + pair.v};
 }
 
+/// Cores apart, of which one is round: GJK knows the axis to half of the digits or so.
+Separation refined(const Core& a, const Core& b, const Closest& c, const Axis& ahead, double slack)
+{
+    const Axis best = locally_best(a, b, ahead, slack).axis;
+    const V3 on_a = farthest(a, best.normal).point, v = farthest(b, -best.normal).point - on_a;
+    const bool shorter = norm_squared(v) < norm_squared(c.v);
+    const V3 point_a = shorter ? on_a : c.point_a;
+    const double gap = std::max(best.gap, norm(shorter ? v : c.v));
+    return {best.gap, gap, best.normal, point_a, point_a + gap * best.normal};
+}
+
 /// Cores of many corners or none, of which GJK was not certain: apart by less than it could confirm, or not
 /// at all.
 Separation by_support(const Core& a, const Core& b, const Closest& c, double slack)
 {
     const double distance = norm(c.v);
     const Axis ahead = along(a, b, c.v);
+    if (ahead.gap > slack && !(is_polytope(a) && is_polytope(b))) return refined(a, b, c, ahead, slack);
     if (ahead.gap > slack)
         return {std::min(ahead.gap, distance), distance, ahead.normal, c.point_a, c.point_a + c.v};
     const Penetration p = penetration(a, b, slack);
