@@ -35,10 +35,10 @@ struct Crossing {
 
     bool blurred() const { return t_upper - t > tolerance::blur * t_upper; }
 };
-static inline Crossing crossing(double above, double rate, double slack)
+static inline Crossing crossing(double above, double rate, double slack,
+                                double depth = tolerance::witness_depth)
 {
-    return {(above - slack) / rate, (above + tolerance::witness_depth * slack) / rate,
-            rate > 0 && above > slack};
+    return {(above - slack) / rate, (above + depth * slack) / rate, rate > 0 && above > slack};
 }
 
 /// The entry along `axis`, given the point's least height over the polytope along it at t = 0. `nearest`

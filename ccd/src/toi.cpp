@@ -66,7 +66,7 @@ template <class A, class B> Toi solve_by_advancing(const Query& q)
     return certified_advancement(mover(as<A>(q.a), q.motion_a), mover(as<B>(q.b), q.motion_b), q.options);
 }
 
-template <class A, class B> Toi hit_at(const Query& q, double t, double t_upper)
+template <class A, class B> [[gnu::noinline]] Toi hit_at(const Query& q, double t, double t_upper)
 {
     Toi toi = plain(Status::hit, t, t_upper);
     if (q.options.detail == Detail::contact)
@@ -74,11 +74,20 @@ template <class A, class B> Toi hit_at(const Query& q, double t, double t_upper)
     return toi;
 }
 
-/// What a closed form left in doubt. A start that a witness pair proves in contact is left to the
-/// advancement; anything else is asked in exact numbers, and what even those cannot hold is a hit that may
-/// not be one.
+template <class A, class B> Toi solve_turning(const Query& q);
+
+/// Whether exact numbers can settle what a closed form leaves in doubt.
+template <class A, class B>
+constexpr bool in_whole_numbers = std::is_same_v<A, Sphere> || std::is_same_v<B, Plane> ||
+                                  std::is_same_v<B, HalfSpace> ||
+                                  (std::is_same_v<A, Capsule> && std::is_same_v<B, Capsule>);
+
+/// What a closed form left in doubt. Where there are no exact numbers, the advancement. Otherwise a start
+/// that a witness pair proves in contact is left to it; anything else is asked in exact numbers, and what
+/// even those cannot hold is a hit that may not be one.
 template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const Approach& m, const Entry& e)
 {
+    if constexpr (!in_whole_numbers<A, B>) return solve_turning<A, B>(q);
     const Mover<Core> a = mover(as<A>(q.a), q.motion_a);
     const auto b = mover(as<B>(q.b), q.motion_b);
     if (e.t == 0) {
@@ -103,7 +112,7 @@ template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)
 {
     const Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
     if (e.found == Found::apart) return plain(Status::separated, q.options.t_max);
-    if (e.found == Found::hit) return hit<A, B>(q, m, e);
+    if (e.found == Found::hit) return e.meeting ? hit<A, B>(q, m, e) : hit_at<A, B>(q, e.t, e.t_upper);
     return settle<A, B>(q, m, e);
 }
 
@@ -176,11 +185,15 @@ template <class A, class B> struct Cell {
 
 template <auto kernel> struct Exact;
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)> struct Exact<kernel> {
-    static constexpr Cell<A, B> cell{&solve_exactly<A, B, kernel>, Method::closed_form};
-    static constexpr Cell<B, A> flip{&swapped<&solve_exactly<A, B, kernel>>, Method::closed_form};
+    static constexpr Method method = in_whole_numbers<A, B> ? Method::closed_form : Method::direct;
+    static constexpr Cell<A, B> cell{&solve_exactly<A, B, kernel>, method};
+    static constexpr Cell<B, A> flip{&swapped<&solve_exactly<A, B, kernel>>, method};
 };
 
-template <auto kernel> constexpr auto exact = Exact<kernel>::cell;
+template <auto kernel>
+requires(Exact<kernel>::method == Method::closed_form) constexpr auto exact = Exact<kernel>::cell;
+template <auto kernel>
+requires(Exact<kernel>::method == Method::direct) constexpr auto direct = Exact<kernel>::cell;
 template <auto kernel> constexpr auto flip = Exact<kernel>::flip;
 
 template <class T, class... Ts> constexpr std::size_t index_in(const std::variant<Ts...>*)
@@ -223,7 +236,7 @@ constexpr std::array table{
     //     Sphere                   Capsule                    Box                 Triangle               Plane                  HalfSpace
     row<S>(exact<sphere_sphere>,    exact<sphere_capsule>,     exact<sphere_box>,  exact<sphere_triangle>, exact<sphere_plane>,  exact<sphere_half_space>),
     row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,    advance<C, X>,      advance<C, T>,          exact<capsule_plane>, exact<capsule_half_space>),
-    row<X>(flip<sphere_box>,        advance<X, C>,             advance<X, X>,      advance<X, T>,          advance<X, P>,        advance<X, H>),
+    row<X>(flip<sphere_box>,        advance<X, C>,             direct<box_box>,     advance<X, T>,          advance<X, P>,        advance<X, H>),
     row<T>(flip<sphere_triangle>,   advance<T, C>,             advance<T, X>,      advance<T, T>,          advance<T, P>,        advance<T, H>),
     row<P>(flip<sphere_plane>,      flip<capsule_plane>,       advance<P, X>,      advance<P, T>,          never<P, P>,          never<P, H>),
     row<H>(flip<sphere_half_space>, flip<capsule_half_space>,  advance<H, X>,      advance<H, T>,          never<H, P>,          never<H, H>),

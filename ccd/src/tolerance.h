@@ -55,6 +55,14 @@ inline constexpr double blur = 0x1p-42;
 /// when there is no contact with the radius that much larger (numerics.md).
 inline constexpr double guess_slack = 64 * unit_roundoff;
 
+/// The same for separating axes over time, whose numbers pass through both rotations: of a height along a
+/// cross product of unit axes, and what is left holds contact of boxes with rounded axes to be contact.
+inline constexpr double slab_slack = 160 * unit_roundoff;
+
+/// Contact along an axis is sure this many slacks below where the height has fallen to the radius: the axis
+/// itself may be off by one and the corners by another.
+inline constexpr double overlap_depth = 4;
+
 /// A witness of contact is looked for this many slacks below where the height must have fallen to the radius:
 /// one for that to be certain, two for the witness itself.
 inline constexpr double witness_depth = 3;
