@@ -89,7 +89,7 @@ public:
             return among_ties(stay.in, 1U << static_cast<unsigned>(stay.axis));
         const unsigned open = slabs_.contested(margin_, c.t, c.t_upper);
         if (open != 1U << static_cast<unsigned>(stay.axis)) return among_ties(stay.in, open);
-        return met(c.t, c.t_upper, meeting(stay.axis, axis, length_squared, c.t));
+        return {Found::hit, c.t, c.t_upper, meeting(stay.axis, axis, length_squared, c.t)};
     }
 
 private:
@@ -125,12 +125,6 @@ private:
         const double length = norm(axis), deep = (tolerance::overlap_depth - 1) * reach_.slack * length;
         return length == 0 || reach_along(axis) - std::fabs(dot(axis, m_.from + t * m_.by)) >= deep;
     }
-    Entry met(double t, double t_upper, const std::optional<Meeting>& at) const
-    {
-        if (t > m_.t_max) return {.found = Found::apart};
-        return {Found::hit, t, t_upper > m_.t_max ? infinity : t_upper, at};
-    }
-
     Entry among_ties(double early, unsigned open) const;
     std::optional<Meeting> meeting(int lane, V3 n, double length_squared, double t) const;
 
@@ -163,7 +157,7 @@ private:
     }
     for (; asked != 0; asked &= asked - 1)
         if (!overlap(careful_axis(std::countr_zero(asked)), t_upper)) return {.t = t};
-    return met(t, t_upper, {});
+    return {Found::hit, t, t_upper};
 }
 
 /// The corner that lies farthest along n, seen from the box's origin.
@@ -212,6 +206,6 @@ std::optional<Meeting> Boxes::meeting(int lane, V3 n, double length_squared, dou
 
 /// Boxes without radius meet when the last of their 15 slabs is entered. Within a target gap of each other
 /// they are left in doubt.
-Entry box_box(const Box& a, const Box& b, const Approach& m) { return Boxes(a, b, m).entry(); }
+Entry box_box(const Box& a, const Box& b, const Approach& m) { return cut(Boxes(a, b, m).entry(), m.t_max); }
 
 } // namespace brink

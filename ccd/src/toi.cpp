@@ -242,8 +242,8 @@ using U = Hull;
 constexpr std::array table{
     //     Sphere                   Capsule                   Box                Triangle                Plane                 HalfSpace                  Cylinder       Cone           Ellipsoid      Hull
     row<S>(exact<sphere_sphere>,    exact<sphere_capsule>,    exact<sphere_box>, exact<sphere_triangle>, exact<sphere_plane>,  exact<sphere_half_space>,  advance<S, Y>, advance<S, N>, advance<S, E>, advance<S, U>),
-    row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,   advance<C, X>,     advance<C, T>,          exact<capsule_plane>, exact<capsule_half_space>, advance<C, Y>, advance<C, N>, advance<C, E>, advance<C, U>),
-    row<X>(flip<sphere_box>,        advance<X, C>,            direct<box_box>,    advance<X, T>,          advance<X, P>,        advance<X, H>,             advance<X, Y>, advance<X, N>, advance<X, E>, advance<X, U>),
+    row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,   direct<capsule_box>,    advance<C, T>,          exact<capsule_plane>, exact<capsule_half_space>, advance<C, Y>, advance<C, N>, advance<C, E>, advance<C, U>),
+    row<X>(flip<sphere_box>,        flip<capsule_box>,           direct<box_box>,    advance<X, T>,          advance<X, P>,        advance<X, H>,             advance<X, Y>, advance<X, N>, advance<X, E>, advance<X, U>),
     row<T>(flip<sphere_triangle>,   advance<T, C>,            advance<T, X>,     advance<T, T>,          advance<T, P>,        advance<T, H>,             advance<T, Y>, advance<T, N>, advance<T, E>, advance<T, U>),
     row<P>(flip<sphere_plane>,      flip<capsule_plane>,      advance<P, X>,     advance<P, T>,          never<P, P>,          never<P, H>,               advance<P, Y>, advance<P, N>, advance<P, E>, advance<P, U>),
     row<H>(flip<sphere_half_space>, flip<capsule_half_space>, advance<H, X>,     advance<H, T>,          never<H, P>,          never<H, H>,               advance<H, Y>, advance<H, N>, advance<H, E>, advance<H, U>),

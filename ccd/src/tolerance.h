@@ -59,6 +59,10 @@ inline constexpr double guess_slack = 64 * unit_roundoff;
 /// cross product of unit axes, and what is left holds contact of boxes with rounded axes to be contact.
 inline constexpr double slab_slack = 160 * unit_roundoff;
 
+/// A radius below this part of all lengths is thin: what the guess of contact is off by turns an axis from
+/// edge to edge too far for it to be proven.
+inline constexpr double thin = 0x1p-20;
+
 /// Contact along an axis is sure this many slacks below where the height has fallen to the radius: the axis
 /// itself may be off by one and the corners by another.
 inline constexpr double overlap_depth = 4;
