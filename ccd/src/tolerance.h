@@ -63,6 +63,10 @@ inline constexpr double slab_slack = 160 * unit_roundoff;
 /// edge to edge too far for it to be proven.
 inline constexpr double thin = 0x1p-20;
 
+/// Where the path goes over a face by no more than this many slacks from the time proven apart to the time
+/// of contact, the one is as good as the other.
+inline constexpr double loose_drift = 16;
+
 /// Contact along an axis is sure this many slacks below where the height has fallen to the radius: the axis
 /// itself may be off by one and the corners by another.
 inline constexpr double overlap_depth = 4;
