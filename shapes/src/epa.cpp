@@ -24,7 +24,7 @@ constexpr int most_corners = most_faces / 2 + 2; // Euler
 Corner extreme(const Core& a, const Core& b, V3 m)
 {
     const SupportPoint on_a = farthest(a, -m), on_b = farthest(b, m);
-    return {on_b.point - on_a.point, on_a.point, on_a.corner, on_b.corner, 1};
+    return {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
 }
 
 /// Of two corners the one that is farther by some measure of its place.
@@ -194,7 +194,7 @@ Witness Polytope::around(V3 point, double near) const
             s.corners[k] = corners[f.corner[k]];
             s.corners[k].w = s.corners[k].w - point;
         }
-        s = s.reduced();
+        s.reduce();
         const double square = norm_squared(s.point());
         if (!(square < least)) continue;
         least = square;
@@ -243,12 +243,14 @@ Penetration flat(const Core& a, const Core& b, const Corner (&c)[most_corners], 
     const double gap = std::max(ahead, behind);
     Simplex simplex;
     for (int i = 0; i < size; ++i)
-        simplex = simplex.with(c[i]).reduced();
+        simplex.add(c[i]), simplex.reduce();
     for (int round = 0; round < most_rounds; ++round) {
         const V3 v = simplex.point();
         const Corner corner = extreme(a, b, dot(n, v) * n - v);
         if (simplex.size == 4 || simplex.contains(corner)) break;
-        const Simplex next = simplex.with(corner).reduced();
+        Simplex next = simplex;
+        next.add(corner);
+        next.reduce();
         if (!(norm_squared(next.point()) < norm_squared(v))) break;
         simplex = next;
     }
