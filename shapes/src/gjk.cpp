@@ -61,7 +61,8 @@ void confirm(Closest& c, const Core& a, const Core& b, V3 n, double slack)
     c.lower = lower;
     c.normal = n;
     // The second test keeps v along n where the distance hardly depends on the place of the witness points.
-    c.certain = distance - c.lower <= slack && norm(c.v - distance * n) <= slack;
+    c.certain = distance - c.lower <= slack && norm(c.v - distance * n) <= slack &&
+                norm(c.simplex.point() - c.v) <= slack;
 }
 
 } // namespace
@@ -82,7 +83,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         const double lower = dot(c.v, corner.w) / distance;
         if (lower > c.lower) c.lower = lower, c.normal = (1 / distance) * c.v;
         if (distance - lower <= near.slack + near.relative * std::max(0.0, distance - near.reach)) {
-            c.certain = true;
+            c.certain = norm(c.simplex.point() - c.v) <= near.slack + near.relative * distance;
             c.lower = lower;
             c.normal = (1 / distance) * c.v;
             c.point_a = c.simplex.on_a();
