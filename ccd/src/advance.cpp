@@ -211,13 +211,15 @@ template <class Part> bool Advance<Part>::in_contact(double later)
         course_.go(now);
         return gap + course_.rounding <= course_.options.target_gap;
     } else {
-        const V3 a = sight_.point_a, b = a + sight_.v;
-        if (course_.radii > 0)
-            return norm(course_.b_then(b, later) - course_.a_then(a, later)) + course_.rounding <=
-                   course_.radii;
         const Facing<Core>& f = course_.facing();
-        return depth(f.b.part, course_.a_seen_from_b(a, later)) > course_.rounding ||
-               depth(f.a.part, course_.b_seen_from_a(b, later)) > course_.rounding;
+        const auto at = course_.later(later);
+        const V3 a = at.turn_a * sight_.point_a;
+        const V3 b = at.turn_b * (sight_.point_a + sight_.v - f.b.pivot) + at.pivot_b;
+        if (course_.radii > 0) return norm(b - a) + course_.rounding <= course_.radii;
+        // Each body stays where it is, and the other's point goes where it will be beside it.
+        const V3 beside_b = into(at.turn_b, a - at.pivot_b) + f.b.pivot;
+        return depth(f.b.part, beside_b) > course_.rounding ||
+               depth(f.a.part, into(at.turn_a, b)) > course_.rounding;
     }
 }
 
