@@ -40,7 +40,7 @@ Real off(const Placement<Real>& shape, const Vector<Real>& point, Real enough)
 Real height(const Placement<Real>& body, const Placement<Real>& ground, const Vector<Real>& up)
 {
     constexpr Real parallel = 1e-6L;
-    const Heights<Real> h = heights_over(body, ground);
+    const GroundHeights<Real> h = heights_over(body, ground);
     if (norm(up - ground.normal) < parallel) return h.above;
     const bool under = ground.solid->core == Core::plane && norm(up + ground.normal) < parallel;
     return under ? h.below : -std::numeric_limits<Real>::infinity();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "bracket.h"
+#include "hundred.h"
 #include "query.h"
-#include "referee_gap.h"
 
 #include <optional>
 

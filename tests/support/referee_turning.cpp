@@ -25,6 +25,10 @@ bool valid(const Sphere& s) { return size(s.radius); }
 bool valid(const Capsule& s) { return finite(s.a) && finite(s.b) && size(s.radius); }
 bool valid(const Box& s) { return finite(s.half_extents) && s.half_extents.minCoeff() >= 0; }
 bool valid(const Triangle& s) { return finite(s.a) && finite(s.b) && finite(s.c); }
+bool valid(const Cylinder& s) { return size(s.half_length) && size(s.radius); }
+bool valid(const Cone& s) { return size(s.half_length) && size(s.radius); }
+bool valid(const Ellipsoid& s) { return finite(s.radii) && s.radii.minCoeff() >= 0; }
+bool valid(const Hull&) { return true; } // or from_points would have thrown
 template <class Border> bool valid(const Border& s)
 {
     const Vector<Hundred> n = vector_of<Hundred>(s.normal);

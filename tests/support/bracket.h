@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "referee_solid.h"
+#include "solid.h"
 
 /// The gap between two placed solids, with its proof: two points that exist bound it from above and two
 /// supporting planes from below. However a nearest pair was found, the bounds are what they are.
@@ -29,11 +29,11 @@ template <class T> T separation(const Placement<T>& a, const Placement<T>& b, co
 
 /// How far a bounded solid is above unbounded ground, along the ground's normal, and below it; negative where
 /// it is not.
-template <class T> struct Heights {
+template <class T> struct GroundHeights {
     T above, below;
     Vector<T> lowest, highest; // points of the core
 };
-template <class T> Heights<T> heights_over(const Placement<T>& body, const Placement<T>& ground);
+template <class T> GroundHeights<T> heights_over(const Placement<T>& body, const Placement<T>& ground);
 
 /// The nearest points of two polytopes, each on a feature: every edge against every edge, every corner
 /// against every face. Where the polytopes overlap they mean nothing.

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "referee_solid.h"
+#include "solid.h"
+#if BRINK_HAVE_REFEREE
+#include "hundred.h"
+#endif
 
 namespace brink::support {
 namespace {
@@ -52,6 +55,44 @@ template <class T> Solid<T> described(const Box& s)
         for (std::size_t u = 1; u < 8; u *= 2)
             for (std::size_t v = 2 * u; v < 8; v *= 2)
                 out.faces.push_back({at, at ^ u, at ^ v, true});
+    return out;
+}
+
+template <class T> Solid<T> round(Core core, const T& half_length, const T& girth)
+{
+    Solid<T> out;
+    out.core = core;
+    out.half_length = half_length;
+    out.girth = girth;
+    out.corners = box_corners(Vector<T>{girth, girth, half_length});
+    return out;
+}
+
+template <class T> Solid<T> described(const Cylinder& s)
+{
+    return round<T>(Core::cylinder, T(s.half_length), T(s.radius));
+}
+
+template <class T> Solid<T> described(const Cone& s)
+{
+    return round<T>(Core::cone, T(s.half_length), T(s.radius));
+}
+
+template <class T> Solid<T> described(const Ellipsoid& s)
+{
+    Solid<T> out;
+    out.core = Core::ellipsoid;
+    out.radii = vector_of<T>(s.radii);
+    out.corners = box_corners(out.radii);
+    return out;
+}
+
+template <class T> Solid<T> described(const Hull& s)
+{
+    Solid<T> out;
+    out.core = Core::cloud;
+    for (const Vec3& p : s.vertices())
+        out.corners.push_back(vector_of<T>(p));
     return out;
 }
 
@@ -145,11 +186,13 @@ template <class T> Vector<T> Placement<T>::support(const Vector<T>& direction) c
 }
 
 template Solid<long double> solid(const Shape&);
-template Solid<Hundred> solid(const Shape&);
 template struct Placement<long double>;
-template struct Placement<Hundred>;
 template Placement<long double> placed(const Solid<long double>&, const Vector<long double>&,
                                        const Matrix<long double>&);
+#if BRINK_HAVE_REFEREE
+template Solid<Hundred> solid(const Shape&);
+template struct Placement<Hundred>;
 template Placement<Hundred> placed(const Solid<Hundred>&, const Vector<Hundred>&, const Matrix<Hundred>&);
+#endif
 
 } // namespace brink::support

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "referee_gap.h"
+#include "bracket.h"
+#if BRINK_HAVE_REFEREE
+#include "hundred.h"
+#endif
 
 #include <array>
 #include <limits>
@@ -9,7 +12,7 @@ namespace brink::support {
 namespace {
 
 /// Iterations after which the bounds are taken as they are, and how many may pass without a gain.
-template <class T> constexpr int most_iterations = std::is_same_v<T, Hundred> ? 600 : 100;
+template <class T> constexpr int most_iterations = std::is_floating_point_v<T> ? 100 : 600;
 constexpr int most_idle = 4;
 
 /// A point of the difference of the cores, B's less A's.
@@ -182,7 +185,9 @@ Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const T&
 
 template Simplices<long double> by_simplices(const Placement<long double>&, const Placement<long double>&,
                                              const long double&, const Vector<long double>&);
+#if BRINK_HAVE_REFEREE
 template Simplices<Hundred> by_simplices(const Placement<Hundred>&, const Placement<Hundred>&, const Hundred&,
                                          const Vector<Hundred>&);
+#endif
 
 } // namespace brink::support

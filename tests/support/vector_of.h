@@ -3,17 +3,11 @@
 
 #include <brink/pose.h>
 
-#include <boost/multiprecision/mpfr.hpp>
-
 #include <cmath>
 
-/// Vectors of any number type: the referee of turning bodies does the same sums in long double, where that is
-/// enough to prove something, and in 100 digits.
+/// Vectors of any number type: the referee does the same sums in long double, where that is enough to prove
+/// something, and in 100 digits.
 namespace brink::support {
-
-using Hundred = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<100, boost::multiprecision::allocate_stack>,
-    boost::multiprecision::et_off>;
 
 template <class T> struct Vector {
     T x = 0, y = 0, z = 0;

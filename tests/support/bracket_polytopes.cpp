@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "referee_gap.h"
+#include "bracket.h"
+#if BRINK_HAVE_REFEREE
+#include "hundred.h"
+#endif
 
 #include <algorithm>
 
@@ -137,8 +140,10 @@ template <class T> Depth<T> separating_axis(const Placement<T>& a, const Placeme
 
 template NearestPoints<long double> nearest_features(const Placement<long double>&,
                                                      const Placement<long double>&);
-template NearestPoints<Hundred> nearest_features(const Placement<Hundred>&, const Placement<Hundred>&);
 template Depth<long double> separating_axis(const Placement<long double>&, const Placement<long double>&);
+#if BRINK_HAVE_REFEREE
+template NearestPoints<Hundred> nearest_features(const Placement<Hundred>&, const Placement<Hundred>&);
 template Depth<Hundred> separating_axis(const Placement<Hundred>&, const Placement<Hundred>&);
+#endif
 
 } // namespace brink::support

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "referee_number.h"
+#include "vector_of.h"
 
 #include <brink/shape.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What the referee knows of a shape: its core, a closed convex set, and the radius it is grown by. T is
-/// long double or Hundred.
+/// long double, or Hundred where there is MPFR.
 namespace brink::support {
 
 enum class Core : unsigned char { polytope, cloud, cylinder, cone, ellipsoid, plane, half_space };
@@ -52,14 +52,5 @@ template <class T> struct Placement {
 };
 
 template <class T> Placement<T> placed(const Solid<T>&, const Vector<T>& origin, const Matrix<T>& axes);
-
-extern template Solid<long double> solid(const Shape&);
-extern template Solid<Hundred> solid(const Shape&);
-extern template struct Placement<long double>;
-extern template struct Placement<Hundred>;
-extern template Placement<long double> placed(const Solid<long double>&, const Vector<long double>&,
-                                              const Matrix<long double>&);
-extern template Placement<Hundred> placed(const Solid<Hundred>&, const Vector<Hundred>&,
-                                          const Matrix<Hundred>&);
 
 } // namespace brink::support

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "referee_gap.h"
+#include "bracket.h"
+#if BRINK_HAVE_REFEREE
+#include "hundred.h"
+#endif
 
 namespace brink::support {
 namespace {
@@ -57,7 +60,7 @@ Bracket<T> between_cores(const Placement<T>& a, const Placement<T>& b, const T& 
 
 template <class T> Bracket<T> over_ground(const Placement<T>& body, const Placement<T>& ground)
 {
-    const Heights<T> h = heights_over(body, ground);
+    const GroundHeights<T> h = heights_over(body, ground);
     const bool under = ground.solid->core == Core::plane && h.below > h.above;
     const Vector<T>& at = under ? h.highest : h.lowest;
     Bracket<T> out;
@@ -76,9 +79,9 @@ template <class T> T separation(const Placement<T>& a, const Placement<T>& b, co
     return dot(n, b.support(-n)) - dot(n, a.support(n)) - a.solid->radius - b.solid->radius;
 }
 
-template <class T> Heights<T> heights_over(const Placement<T>& body, const Placement<T>& ground)
+template <class T> GroundHeights<T> heights_over(const Placement<T>& body, const Placement<T>& ground)
 {
-    Heights<T> out;
+    GroundHeights<T> out;
     out.lowest = body.support(-ground.normal);
     out.highest = body.support(ground.normal);
     out.above = dot(ground.normal, out.lowest) - ground.offset - body.solid->radius;
@@ -103,12 +106,15 @@ Bracket<T> bracket(const Placement<T>& a, const Placement<T>& b, const T& enough
 
 template long double separation(const Placement<long double>&, const Placement<long double>&,
                                 const Vector<long double>&);
-template Hundred separation(const Placement<Hundred>&, const Placement<Hundred>&, const Vector<Hundred>&);
-template Heights<long double> heights_over(const Placement<long double>&, const Placement<long double>&);
-template Heights<Hundred> heights_over(const Placement<Hundred>&, const Placement<Hundred>&);
+template GroundHeights<long double> heights_over(const Placement<long double>&,
+                                                 const Placement<long double>&);
 template Bracket<long double> bracket(const Placement<long double>&, const Placement<long double>&,
                                       const long double&, const Vector<long double>&);
+#if BRINK_HAVE_REFEREE
+template Hundred separation(const Placement<Hundred>&, const Placement<Hundred>&, const Vector<Hundred>&);
+template GroundHeights<Hundred> heights_over(const Placement<Hundred>&, const Placement<Hundred>&);
 template Bracket<Hundred> bracket(const Placement<Hundred>&, const Placement<Hundred>&, const Hundred&,
                                   const Vector<Hundred>&);
+#endif
 
 } // namespace brink::support
