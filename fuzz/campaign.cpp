@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <iterator>
 #include <mutex>
 #include <thread>
@@ -27,10 +28,12 @@ bool suspicious(const Toi& toi)
     return toi.status == Status::undecided || toi.status == Status::invalid || toi.iterations > 64;
 }
 
-/// Half of the cases for breadth, half for what turns.
+/// Half of the cases are for breadth, half for what turns; whichever cases are picked by a stride.
+bool for_breadth(std::uint64_t index) { return std::popcount(index) % 2 == 0; }
+
 support::Query drawn(const Pair& pair, std::uint64_t seed, std::uint64_t index)
 {
-    return index % 2 == 0 ? query(pair, support::Family::any, seed, index)
+    return for_breadth(index) ? query(pair, support::Family::any, seed, index)
                           : campaign_query(pair, seed, index);
 }
 
@@ -112,7 +115,7 @@ Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_
         count(tally, c.trial.toi());
         Findings findings = judge_alone(c.trial);
         const bool odd = suspicious(c.trial.toi()) || !findings.empty();
-        if (referenced && (odd || i % plan.reference_every == 0))
+        if (referenced && for_breadth(i) && (odd || i % plan.reference_every == 0))
             append(findings, by_reference(tally, c.trial));
         if (judgeable(c.trial.query()) && (odd || i % plan.rule_every == 0))
             append(findings, by_referee(tally, c.trial));

@@ -36,7 +36,7 @@ Ruled ruled(const support::Query& q, const Toi& toi)
 FirstContact first_contact(const support::Query& q, const Toi& toi)
 {
     const support::Meeting m = support::meeting(q);
-    FirstContact out{m.meets, m.in_doubt, m.spent, support::grazes(q, m)};
+    FirstContact out{m.meets, m.in_doubt, m.spent, support::grazes(q, m, toi.t)};
     if (m.meets) out.early = shown(m.by - toi.t);
     out.least_gap = shown(m.least_gap);
     out.closing_speed = shown(m.closing_speed);

@@ -37,87 +37,88 @@ template <class T> T triple(const Vector<T>& a, const Vector<T>& b, const Vector
     return dot(a, cross(b, c));
 }
 
-/// The weights of newest + sum of weight * side, least in norm: normal equations by Cramer's rule. False
-/// where they have no one solution.
+/// Where the plane of a face, or the line of an edge, that has the newest corner at p and the sides s comes
+/// nearest to the origin, and the sides' weights there. By products of sides, not by normal equations, which
+/// square what is lost on long thin faces. False where the sides are parallel.
+template <class T> struct Foot {
+    Vector<T> at;
+    std::array<T, 3> weight;
+
+    bool find(const Vector<T>& p, const std::array<Vector<T>, 3>& s, std::size_t n)
+    {
+        if (n == 0) at = p;
+        if (n == 1) return on_line(p, s[0]);
+        if (n == 2) return on_plane(p, s[0], s[1]);
+        return n == 0 || in_space(p, s[0], s[1], s[2]);
+    }
+
+private:
+    bool on_line(const Vector<T>& p, const Vector<T>& s)
+    {
+        const T length = dot(s, s);
+        if (length == 0) return false;
+        weight[0] = -dot(s, p) / length;
+        at = p + weight[0] * s;
+        return true;
+    }
+    bool on_plane(const Vector<T>& p, const Vector<T>& s, const Vector<T>& r)
+    {
+        const Vector<T> m = cross(s, r);
+        const T area = dot(m, m);
+        if (area == 0) return false;
+        weight[0] = dot(cross(r, p), m) / area;
+        weight[1] = dot(cross(p, s), m) / area;
+        at = T(dot(m, p) / area) * m;
+        return true;
+    }
+    bool in_space(const Vector<T>& p, const Vector<T>& s, const Vector<T>& r, const Vector<T>& q)
+    {
+        const T volume = triple(s, r, q);
+        if (volume == 0) return false;
+        weight = {-triple(p, r, q) / volume, -triple(s, p, q) / volume, -triple(s, r, p) / volume};
+        at = {};
+        return true;
+    }
+};
+
+/// Takes the face of the corners `which` besides the newest if it is nearer and holds its foot.
 template <class T>
-bool solve(const std::array<std::array<T, 3>, 3>& gram, const std::array<T, 3>& right, std::size_t n,
-           std::array<T, 3>& weight)
+void keep_nearer(Face<T>& best, const Simplex<T>& s, const std::array<std::size_t, 3>& which, std::size_t n)
 {
-    const auto& g = gram;
-    if (n == 1) {
-        if (g[0][0] <= 0) return false;
-        weight[0] = right[0] / g[0][0];
-        return true;
+    const Corner<T>& newest = s.corner[s.count - 1];
+    std::array<Vector<T>, 3> side;
+    for (std::size_t i = 0; i < n; ++i)
+        side[i] = s.corner[which[i]].p - newest.p;
+    Foot<T> foot;
+    if (!foot.find(newest.p, side, n)) return;
+    T rest = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (foot.weight[i] < 0) return;
+        rest -= foot.weight[i];
     }
-    if (n == 2) {
-        const T det = g[0][0] * g[1][1] - g[0][1] * g[0][1];
-        if (det <= 0) return false;
-        weight[0] = (right[0] * g[1][1] - right[1] * g[0][1]) / det;
-        weight[1] = (right[1] * g[0][0] - right[0] * g[0][1]) / det;
-        return true;
+    const T squared = dot(foot.at, foot.at);
+    if (rest < 0 || (best.squared >= 0 && squared >= best.squared)) return;
+    best = {{}, foot.at, newest.a, newest.b, squared};
+    for (std::size_t i = 0; i < n; ++i) {
+        const Corner<T>& c = s.corner[which[i]];
+        best.a = best.a + foot.weight[i] * (c.a - newest.a);
+        best.b = best.b + foot.weight[i] * (c.b - newest.b);
+        best.simplex.corner[best.simplex.count++] = c;
     }
-    const Vector<T> x{g[0][0], g[0][1], g[0][2]};
-    const Vector<T> y{g[1][0], g[1][1], g[1][2]};
-    const Vector<T> z{g[2][0], g[2][1], g[2][2]};
-    const Vector<T> r{right[0], right[1], right[2]};
-    const T det = triple(x, y, z);
-    if (det <= 0) return false;
-    weight = {triple(r, y, z) / det, triple(x, r, z) / det, triple(x, y, r) / det};
-    return true;
+    best.simplex.corner[best.simplex.count++] = newest;
 }
 
 /// Looks at every face that has the newest corner, which is the last.
 template <class T> Face<T> nearest_face(const Simplex<T>& s)
 {
-    const Corner<T>& newest = s.corner[s.count - 1];
     const std::size_t others = s.count - 1;
-    std::array<Vector<T>, 3> side;
-    std::array<std::array<T, 3>, 3> all;
-    std::array<T, 3> onto;
-    for (std::size_t i = 0; i < others; ++i) {
-        side[i] = s.corner[i].p - newest.p;
-        onto[i] = -dot(side[i], newest.p);
-    }
-    for (std::size_t i = 0; i < others; ++i)
-        for (std::size_t j = i; j < others; ++j)
-            all[i][j] = all[j][i] = dot(side[i], side[j]);
     Face<T> best;
     for (std::size_t mask = 0; mask < (std::size_t{1} << others); ++mask) {
         std::array<std::size_t, 3> which{};
         std::size_t n = 0;
         for (std::size_t i = 0; i < others; ++i)
             if ((mask >> i & 1U) != 0) which[n++] = i;
-        std::array<std::array<T, 3>, 3> gram;
-        std::array<T, 3> right;
-        std::array<T, 3> weight;
-        for (std::size_t i = 0; i < n; ++i) {
-            right[i] = onto[which[i]];
-            for (std::size_t j = 0; j < n; ++j)
-                gram[i][j] = all[which[i]][which[j]];
-        }
-        if (n > 0 && !solve(gram, right, n, weight)) continue;
-        T rest = 1;
-        bool inside = true;
-        Vector<T> p = newest.p;
-        for (std::size_t i = 0; i < n; ++i) {
-            rest -= weight[i];
-            inside = inside && weight[i] >= 0;
-            p = p + weight[i] * side[which[i]];
-        }
-        const T squared = dot(p, p);
-        if (!inside || rest < 0 || (best.squared >= 0 && squared >= best.squared)) continue;
-        best.squared = squared;
-        best.p = p;
-        best.a = newest.a;
-        best.b = newest.b;
-        best.simplex.count = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            const Corner<T>& c = s.corner[which[i]];
-            best.a = best.a + weight[i] * (c.a - newest.a);
-            best.b = best.b + weight[i] * (c.b - newest.b);
-            best.simplex.corner[best.simplex.count++] = c;
-        }
-        best.simplex.corner[best.simplex.count++] = newest;
+        keep_nearer(best, s, which, n);
     }
     return best;
 }
@@ -158,10 +159,11 @@ Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const T&
         const Face<T> face = nearest_face(simplex);
         if (face.squared < 0) break;
         const T length = sqrt(face.squared);
-        const bool gained = !any || length < out.upper;
+        const T apart = norm(face.b - face.a);
+        const bool gained = !any || apart < out.upper;
         idle = gained ? 0 : idle + 1;
         if (gained) {
-            out.upper = length;
+            out.upper = apart;
             out.point_a = face.a;
             out.point_b = face.b;
         }

@@ -82,6 +82,10 @@ Findings judge_contact(const Query& q, const Toi& toi, const Question& question)
     const Real most = std::max(off(a, point_a, pair.enough()), off(b, point_b, pair.enough()));
     if (!(most <= close + 32 * eps * world))
         out.push_back({"points", fmt::format("off the shapes by {:.3g}", shown(most))});
+    const Real apart = norm(point_b - point_a - static_cast<Real>(toi.gap) * n);
+    if (directed && !(apart <= close + 32 * eps * world))
+        out.push_back(
+            {"points", fmt::format("point_b - point_a is off gap * normal by {:.3g}", shown(apart))});
     return out;
 }
 

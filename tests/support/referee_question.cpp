@@ -7,7 +7,7 @@ namespace brink::support {
 namespace {
 
 constexpr int coarse_budget = 40'000;
-constexpr int fine_budget = 1'500;
+constexpr int fine_budget = 600;
 
 /// Of the scale: nearer than this nothing is decided.
 const Hundred doubt{"1e-40"};
@@ -21,7 +21,7 @@ std::optional<Hundred> contact_after(const MovingPair<Hundred>& pair, const Walk
                                      const Hundred& to)
 {
     if (w.closing_speed <= 0) return std::nullopt;
-    const Hundred near = doubt * pair.scale();
+    const Hundred near = std::max(Hundred(doubt * pair.scale()), Hundred(w.gap.upper - pair.target()));
     Hundred step = 4 * near / w.closing_speed;
     for (int i = 0; i < 8; ++i, step *= 4) {
         const Hundred t = std::min(Hundred(w.clear + step), to);
@@ -105,7 +105,15 @@ Leaving Question::leaving() const
         if (!gap.depth_known) highest = gap.upper;
     }
     out.left = true;
-    out.by = crossing(fine_, before, t);
+    long double late = t;
+    for (int i = 0; i < 60; ++i) { // as near as long double can tell
+        const long double middle = (before + late) / 2;
+        const Bracket<long double> there = coarse_.at(middle);
+        const bool in_contact = there.upper + coarse_.blur() <= target;
+        if (!in_contact && there.lower - coarse_.blur() <= target) break;
+        (in_contact ? before : late) = middle;
+    }
+    out.by = crossing(fine_, before, late);
     return out;
 }
 

@@ -113,11 +113,16 @@ Meeting meeting(const Query& q)
     return with_speed(question, out);
 }
 
-bool grazes(const Query& q, const Meeting& m)
+bool grazes(const Query& q, const Meeting& m, double t)
 {
-    constexpr double within = 1e-6;
-    if (m.meets) return m.grazing;
-    return m.least_gap <= within * Question(q).fine().scale();
+    constexpr long double within = 1e-6L;
+    if (m.meets && m.grazing) return true;
+    const MovingPair<long double> pair(q);
+    const Bracket<long double> here = pair.at(t);
+    const long double speed = closing_speed(pair, static_cast<long double>(t), here);
+    const bool near = here.upper - pair.target() <= 1e-3L * pair.scale();
+    if (near && std::abs(speed) < grazing_speed * pair.fastest()) return true;
+    return !m.meets && m.least_gap <= Hundred(within * pair.scale());
 }
 
 } // namespace brink::support

@@ -45,8 +45,8 @@ struct Ruling {
 };
 Ruling rule(const Query&, const Toi&);
 
-/// An `undecided` is excused where it grazes: contact closes at less than 1e-3 of the fastest relative
-/// motion, or there is none and the least gap is within `within` of the scale.
-bool grazes(const Query&, const Meeting&);
+/// Whether an `undecided` at t is excused because something grazes: at t, or at contact, the pair closes at less
+/// than 1e-3 of the fastest relative motion, or there is no contact by less than 1e-6 of the scale.
+bool grazes(const Query&, const Meeting&, double t);
 
 } // namespace brink::support

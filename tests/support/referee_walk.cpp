@@ -128,7 +128,10 @@ private:
         if (gap.upper + pair_.blur() <= level_ && first) out_.touched = t;
     }
 
-    /// One step, however short. False where time itself is too coarse.
+    /// Whether a bracket is too wide to step by.
+    bool loose(const Bracket<T>& gap) const { return gap.upper - gap.lower > over(out_.gap) / 4; }
+
+    /// One step, however short. False where time or the gap itself is too coarse.
     bool advance()
     {
         T most = to_ - out_.clear;
@@ -153,6 +156,7 @@ private:
             const T g0 = over(out_.gap);
             const T g1 = over(gap);
             if (out_.evaluations >= limits_.budget) return true;
+            if (loose(out_.gap) || loose(gap)) return false;
             h = g1 < 0 && gap.depth_known ? std::min(T(h / 2), T(h * T(0.9) * g0 / (g0 - g1))) : T(h / 2);
         }
     }
