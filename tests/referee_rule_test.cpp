@@ -149,12 +149,12 @@ TEST_CASE("turning referee: every bracket is narrow and holds what long double f
             const MovingPair<Hundred> fine(q);
             const Bracket<Hundred> gap = fine.at(q.options.t_max);
             const Bracket<long double> seen = coarse.at(q.options.t_max);
-            CHECK(gap.lower <= gap.upper + fine.blur());
+            CHECK(bool(gap.lower <= gap.upper + fine.blur()));
             if (!gap.depth_known || !seen.depth_known) continue;
             ++looked;
-            CHECK(gap.upper - gap.lower <= 2 * fine.enough());
-            CHECK(Hundred(seen.lower) <= gap.upper + Hundred(coarse.blur()));
-            CHECK(Hundred(seen.upper) >= gap.lower - Hundred(coarse.blur()));
+            CHECK(bool(gap.upper - gap.lower <= 2 * fine.enough()));
+            CHECK(bool(Hundred(seen.lower) <= gap.upper + Hundred(coarse.blur())));
+            CHECK(bool(Hundred(seen.upper) >= gap.lower - Hundred(coarse.blur())));
         }
     }
     CHECK(looked > 200);
