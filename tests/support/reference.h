@@ -44,17 +44,17 @@ private:
     };
     static Body body(const Shape&, const Motion&, const Real3& origin);
 
-    /// Each core corner's height along the normal, and its rate.
-    struct Lines {
-        struct Line {
-            Real height, rate;
-        };
-        std::array<Line, 8> line;
-        std::size_t count = 0;
-        Real radius = 0;
+    /// Where the points of a core are along the normal, from point_a of the gap, and how fast they move along
+    /// it: at the point p, base + p . normal and rate + p . turning.
+    struct Line {
+        Placed core;
+        Real3 normal, turning;
+        Real base = 0, rate = 0;
+        /// The least of base + tau * rate over the core.
+        Real least(Real tau) const;
     };
     enum class Side : unsigned char { a, b };
-    Lines lines(Real t, const Gap& here, Side side) const;
+    Line line(Real t, const Gap& here, Side side) const;
 
     Shape shape_a_, shape_b_;
     Real3 origin_;
