@@ -6,7 +6,8 @@
 #include "scaling.h"
 #include "validity.h"
 
-#include <set>
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -36,12 +37,21 @@ void check(std::span<const Vec3> points)
                                         "] = " + in_words(points[i]) + " is not finite");
 }
 
+/// Each point once, in the order given.
 std::vector<Vec3> distinct(std::span<const Vec3> points)
 {
-    std::set<std::tuple<double, double, double>> seen;
+    const auto place = [&](std::size_t i) {
+        return std::tuple(points[i].x(), points[i].y(), points[i].z(), i);
+    };
+    const auto same = [&](std::size_t i, std::size_t j) { return load(points[i]) == load(points[j]); };
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return place(i) < place(j); });
+    order.erase(std::unique(order.begin(), order.end(), same), order.end());
+    std::sort(order.begin(), order.end());
     std::vector<Vec3> out;
-    for (const Vec3& p : points)
-        if (seen.insert({p.x(), p.y(), p.z()}).second) out.push_back(p);
+    for (const std::size_t i : order)
+        out.push_back(points[i]);
     return out;
 }
 
