@@ -10,7 +10,7 @@ namespace brink {
 namespace {
 
 /// Enough to double the digits from two to all of them, and for as many steps too long.
-constexpr int most_rounds = 8;
+constexpr int most_rounds = 12;
 /// Of a direction, in radians: half of a double's digits.
 constexpr double apart = 0x1p-20;
 /// Steps longer than this leave the neighbourhood.
@@ -18,6 +18,7 @@ constexpr double longest_step = 0.25;
 
 struct Slope {
     double e, f;
+    double square() const { return e * e + f * f; }
 };
 
 /// The gap along axes about a given one, as a function of a step along two directions at right angles to it.
@@ -61,16 +62,19 @@ Slope shortened(Slope s)
     return {share * s.e, share * s.f};
 }
 
-/// What a step leads to, or half of it and so on: the first axis that is better than the best.
-Axis better(const Core& a, const Core& b, const Axis& best, const Chart& chart, Slope step)
+/// What a step leads to, or half of it and so on: the first axis that is better than the best. Near the top,
+/// where rounding hides what is better, a slope less by half is.
+Axis better(const Core& a, const Core& b, const Axis& best, const Chart& chart, Slope here, double slack)
 {
+    Slope step = shortened(chart.newton(here));
     for (int halving = 0; halving < most_rounds; ++halving) {
         const V3 n = chart.direction(step), normal = (1 / norm(n)) * n;
         const double gap = gap_along(a, b, normal);
-        if (gap > best.gap) return {gap, normal};
+        const bool as_good = gap >= best.gap - slack && chart.slope(step).square() < 0.25 * here.square();
+        if (gap > best.gap + slack || as_good) return {gap, normal};
         step = {0.5 * step.e, 0.5 * step.f};
     }
-    return best;
+    return {};
 }
 
 } // namespace
@@ -83,10 +87,9 @@ LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double sl
     for (int round = 0; round < most_rounds; ++round) {
         const Chart chart(a, b, best.normal);
         const Slope here = chart.slope({0, 0});
-        const double square = here.e * here.e + here.f * here.f;
-        if (square <= slack * slack) return {best, true};
-        const Axis next = better(a, b, best, chart, shortened(chart.newton(here)));
-        if (!(next.gap > best.gap)) return {best, square <= flat};
+        if (here.square() <= slack * slack) return {best, true};
+        const Axis next = better(a, b, best, chart, here, slack);
+        if (next.gap == -infinity) return {best, here.square() <= flat};
         best = next;
     }
     return {best, false};

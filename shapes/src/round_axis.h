@@ -12,7 +12,7 @@ struct LocalTop {
 
 /// An axis along which the gap between two cores, of which one is round, is locally the largest, from one
 /// that is near: Newton's method on the plane of directions about it, with the second derivatives from
-/// differences of supporting points. Never worse than the axis given.
+/// differences of supporting points. Never worse than the axis given by more than the slack.
 LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double slack);
 
 } // namespace brink
