@@ -5,6 +5,7 @@
 #include "glance.h"
 #include "support.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace brink {
@@ -30,6 +31,7 @@ public:
     Entry entry();
 
 private:
+    bool passes_by() const;
     Point across(V3 of_b, V3 of_a) const;
     Point farthest(V3 n) const;
     /// The axis across the path along which a point's height is x u + y v.
@@ -78,6 +80,26 @@ bool Cast::apart_along(V3 n, const Point& top) const
 {
     const double above = -dot(n, top.place) - reach_.slack * norm(n);
     return above > 0 && above + dot(n, m_.by) > 0;
+}
+
+/// A ball about a turned core's middle.
+double ball(const Core& c)
+{
+    const double radius = c.kind == Core::Kind::hull  ? c.hull->ball * norm(c.axes.x)
+                          : c.kind == Core::Kind::box ? norm(c.half_extents)
+                                                      : norm(middle(c)) + brink::reach(c);
+    return radius * (1 + tolerance::holding_slack);
+}
+
+/// Whether balls about the cores never touch: half of all misses end there.
+bool Cast::passes_by() const
+{
+    const V3 from = m_.from + (middle(a_) - middle(b_));
+    const double radius = ball(a_) + ball(b_) + reach_.margin, speed_squared = norm_squared(m_.by);
+    const double closing = -dot(from, m_.by);
+    const double s = closing > 0 ? std::min(closing, speed_squared) : 0; // of the path, times speed squared
+    return norm_squared(speed_squared * from + s * m_.by) >
+           radius * radius * speed_squared * speed_squared * (1 + tolerance::holding_slack);
 }
 
 /// Seen along the path, a triangle that it passes through: the middle of the difference and two corners,
@@ -161,6 +183,7 @@ Entry Cast::surface(V3 n, const Crossing& c) const
 Entry Cast::entry()
 {
     if (m_.by == V3{}) return {};
+    if (passes_by()) return {.found = Found::apart};
     const std::optional<Entry> without_portal = open_portal();
     return without_portal ? *without_portal : refined();
 }
