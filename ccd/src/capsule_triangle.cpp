@@ -40,14 +40,28 @@ private:
         const Pair radius = two_sum(a_.radius, target_gap_);
         return sharp::later(a_, b_, whole_, axis, radius, reach_.lengths + extents_, t);
     }
-    /// Whether a face may be met from outside: one with that normal, which points outwards if `inward` does
-    /// not; both when `inward` is no more than a part of `sizes` that rounding could be.
-    bool faces(V3 normal, double inward, double sizes) const
+    /// A face's plane.
+    struct Side {
+        V3 outward;    // its normal
+        double height; // of the path's start over it, in lengths
+        bool sure;     // whether rounding cannot have taken inside for outside
+
+        Side(V3 normal, double inward, double sizes, double above)
+            : outward(inward > 0 ? -normal : normal),
+              height((inward > 0 ? -above : above) / norm(normal)),
+              sure(std::fabs(inward) > tolerance::edge_on * sizes)
+        {
+        }
+    };
+    Side end_side(int end) const;
+    Side edge_side(int corner) const;
+    /// Whether it may be met from outside.
+    bool looks_back(const Side& s) const
     {
-        if (std::fabs(inward) <= tolerance::edge_on * sizes) return true;
-        const double leaving = inward > 0 ? -dot(normal, whole_.by) : dot(normal, whole_.by);
-        return !(leaving > tolerance::edge_on * norm(normal) * norm(whole_.by));
+        return !s.sure ||
+               !(dot(s.outward, whole_.by) > tolerance::edge_on * norm(s.outward) * norm(whole_.by));
     }
+    bool passes_by(double radius) const;
     Entry triangle_entry(int end) const;
     Entry side_entry(int corner) const;
 
@@ -82,34 +96,52 @@ Entry Prism::side_entry(int corner) const
                           [this](V3 axis, double t) { return later(axis, t); });
 }
 
+/// Whether the path's line passes by a ball about the prism, that of the triangle grown by `radius`.
+bool Prism::passes_by(double radius) const
+{
+    const V3 middle = (1.0 / 3) * (corner_[0] + corner_[1] + corner_[2]);
+    const double squared = std::max({norm_squared(corner_[0] - middle), norm_squared(corner_[1] - middle),
+                                     norm_squared(corner_[2] - middle)});
+    return passes(whole_.from, whole_.by, middle - (end_[0] + 0.5 * edge()),
+                  (std::sqrt(squared) + radius) * (1 + tolerance::holding_slack));
+}
+
+/// The triangle that an end makes: from the one at end 0 the prism reaches against the segment. `inward` is
+/// the height of the other end's over it, times as much as the normal's length.
+Prism::Side Prism::end_side(int end) const
+{
+    const double rise = dot(normal_, edge()), inward = end == 0 ? -rise : rise;
+    const double area = norm(corner_[1] - corner_[0]) * norm(corner_[2] - corner_[0]);
+    return {normal_, inward, area * norm(edge()), dot(normal_, whole_.from - (corner_[0] - end_[end]))};
+}
+
+Prism::Side Prism::edge_side(int corner) const
+{
+    const V3 start = corner_[corner], along = corner_[(corner + 1) % 3] - start;
+    const V3 across = corner_[(corner + 2) % 3] - start, normal = careful_cross(edge(), along);
+    return {normal, dot(normal, across), norm(edge()) * norm(along) * norm(across),
+            dot(normal, whole_.from - (start - end_[0]))};
+}
+
 Entry Prism::entry() const
 {
+    const double wide = reach_.radius + reach_.margin;
+    if (passes_by(wide + 0.5 * norm(edge()))) return {.found = Found::apart};
+    const Side sides[] = {end_side(0), end_side(1), edge_side(0), edge_side(1), edge_side(2)};
+    double highest = -infinity;
+    bool flat = false;
+    for (const Side& side : sides) {
+        flat |= !side.sure;
+        if (side.sure && side.height > highest) highest = side.height;
+    }
+    if (!flat && highest <= reach_.margin) return {}; // it starts inside
     Entry first{.found = Found::apart};
-    bool inside = true;
-    const double wide = reach_.radius + reach_.margin, length = norm(edge());
-    const auto take = [&](const Entry& e) {
+    for (int k = 0; k < 5; ++k) {
+        if (highest > wide && !looks_back(sides[k])) continue;
+        const Entry e = k < 2 ? triangle_entry(k) : side_entry(k - 2);
         if (e.found != Found::apart && (first.found == Found::apart || e.t < first.t)) first = e;
-    };
-    const auto over = [&](V3 normal, double inward, double level) {
-        const double height = dot(normal, whole_.from) - level;
-        inside &= (inward > 0 ? -height : height) <= wide * norm(normal);
-    };
-    // From the triangle that end 0 makes, the prism reaches against the segment.
-    const double rise = dot(normal_, edge());
-    const double area = norm(corner_[1] - corner_[0]) * norm(corner_[2] - corner_[0]);
-    for (int end = 0; end < 2; ++end) {
-        const double inward = end == 0 ? -rise : rise;
-        over(normal_, inward, dot(normal_, corner_[0] - end_[end]));
-        if (faces(normal_, inward, area * length)) take(triangle_entry(end));
     }
-    for (int k = 0; k < 3; ++k) {
-        const V3 along = corner_[(k + 1) % 3] - corner_[k], across = corner_[(k + 2) % 3] - corner_[k];
-        const V3 normal = careful_cross(edge(), along);
-        const double inward = dot(normal, across);
-        over(normal, inward, dot(normal, corner_[k] - end_[0]));
-        if (faces(normal, inward, length * norm(along) * norm(across))) take(side_entry(k));
-    }
-    return inside ? Entry{} : first;
+    return first;
 }
 
 } // namespace
