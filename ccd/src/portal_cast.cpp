@@ -38,6 +38,13 @@ private:
     V3 axis(double x, double y) const { return x * u_ + y * v_; }
 
     bool apart_along(V3 n, const Point& top) const;
+    /// Whether the portal's corners all lie in the supporting plane, rounding of its normal included.
+    bool in_plane(V3 n, const Point& top) const
+    {
+        const double least = dot(n, top.place) - reach_.slack * norm(n);
+        return all(dot(n, portal_[0].place) >= least, dot(n, portal_[1].place) >= least,
+                   dot(n, portal_[2].place) >= least);
+    }
     std::optional<Entry> open_portal();
     Entry refined();
     Entry surface(V3 n, const Crossing& c) const;
@@ -144,7 +151,7 @@ Entry Cast::refined()
         const Point top = farthest(n);
         const Crossing c = crossing(-dot(n, top.place), -dot(n, m_.by), slack);
         if (c.closing && c.t > 1) return {.found = Found::apart};
-        if (dot(n, top.place - portal_[1].place) <= slack) return surface(n, c);
+        if (dot(n, top.place - portal_[1].place) <= slack) return in_plane(n, top) ? surface(n, c) : Entry{};
         const double turns[] = {turn(portal_[0], top), turn(portal_[1], top), turn(portal_[2], top)};
         int kept = 0; // with the next one
         while (kept < 3 && !(turns[kept] <= 0 && turns[(kept + 1) % 3] >= 0))
@@ -155,19 +162,20 @@ Entry Cast::refined()
     return {};
 }
 
-/// The path pierces the portal, which lies in a supporting plane: contact between the two crossings, unless
-/// it does so at the portal's border, where that is likely.
+/// The portal lies in a supporting plane and the path passes through it: contact between the two crossings,
+/// unless that is at the portal's border, where it is likely.
 Entry Cast::surface(V3 n, const Crossing& c) const
 {
     if (!c.closing || c.blurred()) return {};
     const double speed = norm(m_.by), drift = speed * (c.t_upper - c.t);
+    const V3 at = c.t * m_.by;
     double weight[3], sum = 0;
     bool inside = true;
     for (int i = 0; i < 3; ++i) {
         const Point &p = portal_[(i + 1) % 3], &q = portal_[(i + 2) % 3];
-        weight[i] = turn(p, q);
+        inside &= turn(p, q) >= (8 * reach_.slack + drift) * speed * norm(q.place - p.place);
+        weight[i] = std::max(0.0, dot(n, cross(p.place - at, q.place - at)));
         sum += weight[i];
-        inside &= weight[i] >= (8 * reach_.slack + drift) * speed * norm(q.place - p.place);
     }
     if (!(sum > 0) || (!inside && drift > tolerance::loose_drift * reach_.slack)) return {.t = c.t};
     V3 on_a{}, between{};
@@ -175,9 +183,8 @@ Entry Cast::surface(V3 n, const Crossing& c) const
         on_a = on_a + (weight[i] / sum) * portal_[i].on_a;
         between = between + (weight[i] / sum) * portal_[i].place;
     }
-    const V3 met = m_.from + c.t * m_.by + on_a;
-    return {Found::hit, c.t, inside ? c.t_upper : infinity,
-            Meeting{met, met + (between - c.t * m_.by), -n, true}};
+    const V3 met = m_.from + at + on_a;
+    return {Found::hit, c.t, inside ? c.t_upper : infinity, Meeting{met, met + (between - at), -n, true}};
 }
 
 Entry Cast::entry()

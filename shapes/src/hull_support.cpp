@@ -48,22 +48,36 @@ int scan(const HullData& h, V3 d)
     return best;
 }
 
-/// From corner to higher neighbour, to where there is none: on a convex polyhedron that is the highest.
-/// Heights are told apart by the edge between, whose rounding is relative to its own length. Should rounding
-/// lead round in a circle, it is a scan after all.
+/// The highest of every so-manieth corner.
+int sample(const HullData& h, V3 d, int stride)
+{
+    int best = 0;
+    double highest = dot(h.corner(0), d);
+    for (int k = stride; k < h.count(); k += stride) {
+        const double height = dot(h.corner(k), d);
+        if (height > highest) highest = height, best = k;
+    }
+    return best;
+}
+
+/// From corner to highest neighbour, to where none is higher: on a convex polyhedron that is the highest of
+/// all. Heights are told apart by the edge between, whose rounding is relative to its own length. Should
+/// rounding lead round in a circle, it is a scan after all.
 int climb(const HullData& h, V3 d)
 {
     const auto at = [&](int k) { return static_cast<std::size_t>(k); };
-    V3 corner = h.corner(0);
-    int top = 0;
+    int top = sample(h, d, h.count() / most_scanned);
     for (int step = 0; step < h.count(); ++step) {
-        const int last = h.first_neighbour[at(top + 1)];
-        int i = h.first_neighbour[at(top)];
-        while (i < last && !(dot(h.corner(h.neighbours[at(i)]) - corner, d) > 0))
-            ++i;
-        if (i == last) return top;
-        top = h.neighbours[at(i)];
-        corner = h.corner(top);
+        const V3 corner = h.corner(top);
+        double highest = 0;
+        int next = top;
+        for (int i = h.first_neighbour[at(top)]; i < h.first_neighbour[at(top + 1)]; ++i) {
+            const int k = h.neighbours[at(i)];
+            const double height = dot(h.corner(k) - corner, d);
+            if (height > highest) highest = height, next = k;
+        }
+        if (next == top) return top;
+        top = next;
     }
     return scan(h, d);
 }
