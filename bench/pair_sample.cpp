@@ -43,6 +43,21 @@ Shape draw_triangle(Random& random)
     return Triangle{size * a, size * b, size * c};
 }
 
+/// Its corners on an ellipsoid, so that none is lost.
+Shape draw_hull(Random& random)
+{
+    constexpr int corners = 24;
+    const double x = random.between(0.1, 1);
+    const double y = random.between(0.1, 1);
+    const double z = random.between(0.1, 1);
+    std::array<Vec3, corners> points;
+    for (Vec3& point : points) {
+        const Vec3 on_sphere = random.unit();
+        point = {x * on_sphere.x(), y * on_sphere.y(), z * on_sphere.z()};
+    }
+    return Hull::from_points(points);
+}
+
 Shape draw_plane(Random& random) { return Plane{random.unit(), 0}; }
 
 Shape draw_half_space(Random& random) { return HalfSpace{random.unit(), 0}; }
@@ -55,8 +70,14 @@ constexpr std::array closed{
     PairKind{"sphere-plane", draw_sphere, draw_plane},
     PairKind{"sphere-half_space", draw_sphere, draw_half_space},
     PairKind{"capsule-capsule", draw_capsule, draw_capsule},
+    PairKind{"capsule-box", draw_capsule, draw_box},
+    PairKind{"capsule-triangle", draw_capsule, draw_triangle},
     PairKind{"capsule-plane", draw_capsule, draw_plane},
     PairKind{"capsule-half_space", draw_capsule, draw_half_space},
+    PairKind{"box-box", draw_box, draw_box},
+    PairKind{"box-triangle", draw_box, draw_triangle},
+    PairKind{"triangle-triangle", draw_triangle, draw_triangle},
+    PairKind{"hull-hull", draw_hull, draw_hull},
 };
 
 constexpr std::array rotating{
