@@ -168,7 +168,9 @@ template <class Part> Separation Advance<Part>::contact() const
     if constexpr (std::is_same_v<Part, Core>) {
         const Core &a = course_.facing().a.part, &b = course_.facing().b.part;
         const V3 n = axis();
-        const double apart = dot(sight_.v, n), rounding = tolerance::shown * course_.rounding;
+        const bool round = !is_polytope(a) || !is_polytope(b);
+        const double told = round ? tolerance::told * course_.tolerance : 0;
+        const double apart = dot(sight_.v, n), rounding = std::max(tolerance::shown * course_.rounding, told);
         if (sight_.upper < infinity && norm(sight_.v - apart * n) <= rounding &&
             apart - gap_along(a, b, n) <= rounding) {
             const double gap = apart - (a.radius + b.radius);

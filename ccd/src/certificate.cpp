@@ -81,7 +81,7 @@ private:
 template <class Part> using ShadowOf = std::conditional_t<std::is_same_v<Part, Core>, Shadow, Level>;
 
 /// The largest x . q over a body's points about its pivot.
-double reach_along(const Posed<Core>& body, V3 q) { return interval(body.part, q).high - dot(q, body.pivot); }
+double reach_along(const Posed<Core>& body, V3 q) { return highest(body.part, q) - dot(q, body.pivot); }
 double reach_along(const Posed<Border>&, V3) { return 0; }
 
 /// What one body adds to the bounds of the second and third derivative of n . x while n turns.

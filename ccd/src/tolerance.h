@@ -104,6 +104,9 @@ inline constexpr double much_curved = 0.02;
 /// the lengths): the same that distance() asks of itself.
 inline constexpr double shown = 0.125;
 
+/// The same for curved surfaces, as a part of the tolerance.
+inline constexpr double told = 0x1p-10;
+
 /// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
 inline constexpr int most_followed = 12;
 

@@ -84,12 +84,16 @@ static inline Interval interval(const Core& c, V3 d)
     return i;
 }
 
+/// The largest d . p over the points p of a core.
+static inline double highest(const Core& c, V3 d)
+{
+    if (c.kind == Core::Kind::hull) return dot(farthest(c, d).point, d);
+    return interval(c, d).high;
+}
+
 /// The distance between the planes at right angles to the unit vector n that support A from below and B from
 /// above: a lower bound of the distance between the cores, whatever n.
-static inline double gap_along(const Core& a, const Core& b, V3 n)
-{
-    return interval(b, n).low - interval(a, n).high;
-}
+static inline double gap_along(const Core& a, const Core& b, V3 n) { return -highest(b, -n) - highest(a, n); }
 
 /// A point in the midst of a core.
 static inline V3 middle(const Core& c)
