@@ -150,7 +150,7 @@ TEST_CASE("portal cast: hulls with the corners of boxes and triangles are boxes 
             const char* wrong = tests::contradiction(q, other, toi, motion);
             CAPTURE(index);
             CAPTURE(pair.name());
-            if (wrong) FAIL_CHECK(wrong, "\n", support::as_cpp(q, support::in_words(other)));
+            if (wrong) FAIL_CHECK(std::string(wrong), "\n", support::as_cpp(q, support::in_words(other)));
             compared += other.status == Status::hit ? 1 : 0;
         }
     CHECK(compared > 7'000);
