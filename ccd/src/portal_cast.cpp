@@ -57,7 +57,7 @@ private:
     const Approach& m_;
     Core a_, b_; // turned
     Reach reach_;
-    V3 u_, v_; // span the plane across the path
+    V3 u_, v_; // unit vectors across the path
     Point portal_[3];
 };
 
@@ -67,7 +67,7 @@ Cast::Cast(const Core& a, const Core& b, const Approach& m)
       b_(placed(b, m.turn_b(), {})),
       reach_(reach(m, 0, brink::reach(a_) + brink::reach(b_))),
       u_(any_perpendicular(m.by)),
-      v_(cross(u_, m.by))
+      v_((1 / norm(m.by)) * cross(u_, m.by))
 {
 }
 
@@ -170,13 +170,13 @@ Entry Cast::surface(V3 n, const Crossing& c) const
 {
     const bool sure = all(portal_[0].sure, portal_[1].sure, portal_[2].sure);
     if (!sure || !c.closing || c.blurred()) return {};
-    const double speed = norm(m_.by), drift = speed * (c.t_upper - c.t);
+    const double drift = norm(m_.by) * (c.t_upper - c.t);
     const V3 at = c.t * m_.by;
     double weight[3], sum = 0;
     bool inside = true;
     for (int i = 0; i < 3; ++i) {
         const Point &p = portal_[(i + 1) % 3], &q = portal_[(i + 2) % 3];
-        inside &= turn(p, q) >= (8 * reach_.slack + drift) * speed * norm(q.place - p.place);
+        inside &= turn(p, q) >= (8 * reach_.slack + drift) * norm(q.place - p.place);
         weight[i] = std::max(0.0, dot(n, cross(p.place - at, q.place - at)));
         sum += weight[i];
     }
