@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "against_advancement.h"
 #include "support/moving.h"
 
 #include <doctest/doctest.h>
@@ -82,4 +83,45 @@ TEST_CASE("a plane is seen from both sides, a half-space is solid below")
     CHECK(within.gap == -5);                                   // 1 + 3.5 + 0.5 to push it out
     const Motion up = moving(Vec3(0, 0, -5.5), Vec3(0, 0, 8)); // the upper end comes first
     CHECK(brackets(time_of_impact(slanted, up, Plane{Vec3(0, 0, 1), 1}, resting()), 0.5));
+}
+
+TEST_CASE_TEMPLATE("box and triangle against a plane or half-space: the lowest corner decides", Border, Plane,
+                   HalfSpace)
+{
+    const Border floor_at_1{Vec3(0, 0, 1), 1};
+    const Box box{Vec3(3, 2, 0.5)};
+    const Toi flat = time_of_impact(box, moving(Vec3(3, 4, 5.5), Vec3(1, 0, -8)), floor_at_1, resting());
+    CHECK(brackets(flat, 0.5)); // 5.5 - 0.5 - 1 = 4
+    CHECK(flat.normal == Vec3(0, 0, -1));
+    Motion tipped = moving(Vec3(0, 0, 7), Vec3(0, 0, -8));
+    tipped.start.orientation = Quat(0.5, 0.5, 0.5, 0.5); // z along x, x along y, y along z: 7 - 2 - 1 = 4
+    CHECK(brackets(time_of_impact(box, tipped, floor_at_1, resting()), 0.5));
+    const Triangle slanted_one{Vec3(0, 0, 2), Vec3(1, 0, -1), Vec3(0, 1, 5)};
+    const Toi corner =
+        time_of_impact(slanted_one, moving(Vec3(3, 4, 6), Vec3(0, 0, -8)), floor_at_1, resting());
+    CHECK(brackets(corner, 0.5));
+    CHECK(near(corner.point_a, Vec3(4, 4, 1)));
+    CHECK(near(corner.point_b, Vec3(4, 4, 1)));
+    // Exactly reached, exactly not, and lying on it already.
+    const auto ask = [&](double down) {
+        return time_of_impact(box, moving(Vec3(0, 0, 2), Vec3(1, 1, -down)), floor_at_1, resting()).status;
+    };
+    CHECK(ask(0.5) == Status::hit);
+    CHECK(ask(0.5 - 0x1p-53) == Status::separated);
+    CHECK(time_of_impact(box, resting(Vec3(0, 0, 1.5)), floor_at_1, resting()).status == Status::touching);
+    CHECK(time_of_impact(box, resting(Vec3(0, 0, 1.5 + 0x1p-52)), floor_at_1, resting()).status ==
+          Status::separated);
+}
+
+TEST_CASE("box and triangle against a plane or half-space: held against advancement and the reference")
+{
+    for (const support::Pair& pair :
+         {support::Pair{2, 4}, support::Pair{2, 5}, support::Pair{3, 4}, support::Pair{3, 5}}) {
+        CAPTURE(pair.name());
+        const tests::Held held = tests::hold_against_advancement(pair, 20261122, 25'000, 20);
+        CHECK(held.hits > 5'000);
+        CHECK(held.separated > 3'000);
+        CHECK(held.touching > 500);
+        CHECK(held.unproven == 0);
+    }
 }

@@ -85,7 +85,7 @@ public:
         const V3 axis = plain_axis(stay.axis);
         const double length_squared = norm_squared(axis);
         const Crossing c = along(axis, std::sqrt(length_squared));
-        if (c.blurred() || reach_.strained || !(length_squared > tolerance::nearly_parallel))
+        if (!c.closing || c.blurred() || reach_.strained || !(length_squared > tolerance::nearly_parallel))
             return among_ties(stay.in, 1U << static_cast<unsigned>(stay.axis));
         const unsigned open = slabs_.contested(margin_, c.t, c.t_upper);
         if (open != 1U << static_cast<unsigned>(stay.axis)) return among_ties(stay.in, open);

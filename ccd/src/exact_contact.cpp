@@ -91,7 +91,11 @@ Verdict exact_contact(const Query& q)
     if (are<Sphere, HalfSpace>(q)) return verdict<Sphere, HalfSpace>(q);
     if (are<Capsule, Capsule>(q)) return verdict<Capsule, Capsule>(q);
     if (are<Capsule, Plane>(q)) return verdict<Capsule, Plane>(q);
-    return verdict<Capsule, HalfSpace>(q);
+    if (are<Capsule, HalfSpace>(q)) return verdict<Capsule, HalfSpace>(q);
+    if (are<Box, Plane>(q)) return verdict<Box, Plane>(q);
+    if (are<Box, HalfSpace>(q)) return verdict<Box, HalfSpace>(q);
+    if (are<Triangle, Plane>(q)) return verdict<Triangle, Plane>(q);
+    return verdict<Triangle, HalfSpace>(q);
 }
 
 } // namespace brink

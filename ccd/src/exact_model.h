@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "border_entry.h"
 #include "exact_polytope.h"
 #include "glance.h"
 
-#include <initializer_list>
+#include <optional>
 #include <type_traits>
 
 /// A pair of translating shapes in exact numbers.
@@ -155,9 +156,9 @@ static inline AgainstCore model(const Capsule& a, const Capsule& b, const Query&
             polytope(b0 - a0, b1 - a0, b1 - a1, b0 - a1)};
 }
 
-/// The heights of one or two points over a plane, times a common factor.
+/// The heights of a core's corners over a plane, times a common factor.
 struct AgainstBorder {
-    Number height[2]; // at t = 0
+    Number height[8]; // at t = 0
     int points;
     Number rate;
     Number reach_squared;
@@ -192,19 +193,21 @@ struct AgainstBorder {
     }
 };
 
-template <class Border>
-AgainstBorder against_border(const Border& b, const Query& q, int shift, const Lengths& l, const Turn* turn_a,
-                             std::initializer_list<const Vec3*> points)
+template <class A, class Border>
+AgainstBorder against_border(const A& a, const Border& b, const Query& q, int shift)
 {
+    const Lengths l = lengths_of(a, b, q, shift);
     const Turn turn_b(q.motion_b.start.orientation);
+    std::optional<Turn> turn_a;
+    if (!is_point<A>) turn_a.emplace(q.motion_a.start.orientation);
     const Number one(1), &factor_a = turn_a ? turn_a->norm_squared : one;
     const Point normal = turn_b * point(b.normal, 0);
     const Number factor = factor_a * turn_b.norm_squared, reach = factor * l.reach;
     const Number base = factor_a * dot(normal, l.from) - factor * Number(b.offset, shift);
     AgainstBorder out;
-    out.points = 0;
-    for (const Vec3* p : points)
-        out.height[out.points++] = p ? base + dot(normal, *turn_a * point(*p, shift)) : base;
+    out.points = border::ends<A>;
+    for (int i = 0; i < out.points; ++i)
+        out.height[i] = turn_a ? base + dot(normal, *turn_a * point(store(border::end(a, i)), shift)) : base;
     out.rate = factor_a * dot(normal, l.by);
     const Point n = point(b.normal, 0);
     out.reach_squared = reach * reach * dot(n, n);
@@ -212,32 +215,13 @@ AgainstBorder against_border(const Border& b, const Query& q, int shift, const L
     return out;
 }
 
-template <class Border>
-AgainstBorder model_border(const Sphere& a, const Border& b, const Query& q, int shift)
+template <class A> AgainstBorder model(const A& a, const Plane& b, const Query& q, int shift)
 {
-    return against_border(b, q, shift, lengths_of(a, b, q, shift), nullptr, {nullptr});
+    return against_border(a, b, q, shift);
 }
-template <class Border>
-AgainstBorder model_border(const Capsule& a, const Border& b, const Query& q, int shift)
+template <class A> AgainstBorder model(const A& a, const HalfSpace& b, const Query& q, int shift)
 {
-    const Turn turn(q.motion_a.start.orientation);
-    return against_border(b, q, shift, lengths_of(a, b, q, shift), &turn, {&a.a, &a.b});
-}
-static inline AgainstBorder model(const Sphere& a, const Plane& b, const Query& q, int s)
-{
-    return model_border(a, b, q, s);
-}
-static inline AgainstBorder model(const Sphere& a, const HalfSpace& b, const Query& q, int s)
-{
-    return model_border(a, b, q, s);
-}
-static inline AgainstBorder model(const Capsule& a, const Plane& b, const Query& q, int s)
-{
-    return model_border(a, b, q, s);
-}
-static inline AgainstBorder model(const Capsule& a, const HalfSpace& b, const Query& q, int s)
-{
-    return model_border(a, b, q, s);
+    return against_border(a, b, q, shift);
 }
 
 } // namespace brink::exact

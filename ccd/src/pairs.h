@@ -21,5 +21,9 @@ Entry capsule_triangle(const Capsule&, const Triangle&, const Approach&);
 Entry box_box(const Box&, const Box&, const Approach&);
 Entry capsule_plane(const Capsule&, const Plane&, const Approach&);
 Entry capsule_half_space(const Capsule&, const HalfSpace&, const Approach&);
+Entry box_plane(const Box&, const Plane&, const Approach&);
+Entry box_half_space(const Box&, const HalfSpace&, const Approach&);
+Entry triangle_plane(const Triangle&, const Plane&, const Approach&);
+Entry triangle_half_space(const Triangle&, const HalfSpace&, const Approach&);
 
 } // namespace brink

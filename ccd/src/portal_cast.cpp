@@ -20,6 +20,7 @@ struct Point {
     V3 place;
     V3 on_a;
     double u = 0, v = 0;
+    bool sure = true; // that it is one: a hull's middle is that of a ball about it, and may lie outside
 };
 
 /// Twice the area of the triangle that the path makes with two points, seen along it.
@@ -56,7 +57,7 @@ private:
     const Approach& m_;
     Core a_, b_; // turned
     Reach reach_;
-    V3 u_, v_; // span the plane across the path
+    V3 u_, v_; // unit vectors across the path
     Point portal_[3];
 };
 
@@ -66,7 +67,7 @@ Cast::Cast(const Core& a, const Core& b, const Approach& m)
       b_(placed(b, m.turn_b(), {})),
       reach_(reach(m, 0, brink::reach(a_) + brink::reach(b_))),
       u_(any_perpendicular(m.by)),
-      v_(cross(u_, m.by))
+      v_((1 / norm(m.by)) * cross(u_, m.by))
 {
 }
 
@@ -113,7 +114,8 @@ bool Cast::passes_by() const
 /// found by turning about the middle and then moving outwards. Empty where there is one.
 std::optional<Entry> Cast::open_portal()
 {
-    const Point middle = across(brink::middle(b_), brink::middle(a_));
+    Point middle = across(brink::middle(b_), brink::middle(a_));
+    middle.sure = a_.kind != Core::Kind::hull && b_.kind != Core::Kind::hull;
     const bool centred = middle.u == 0 && middle.v == 0;
     V3 way = centred ? u_ : axis(-middle.u, -middle.v);
     Point p = farthest(way);
@@ -163,28 +165,30 @@ Entry Cast::refined()
 }
 
 /// The portal lies in a supporting plane and the path passes through it: contact between the two crossings,
-/// unless that is at the portal's border, where it is likely.
+/// unless that is at the portal's border, where it is as good as that.
 Entry Cast::surface(V3 n, const Crossing& c) const
 {
-    if (!c.closing || c.blurred()) return {};
-    const double speed = norm(m_.by), drift = speed * (c.t_upper - c.t);
+    const bool sure = all(portal_[0].sure, portal_[1].sure, portal_[2].sure);
+    if (!sure || !c.closing || c.blurred()) return {};
+    const double drift = norm(m_.by) * (c.t_upper - c.t);
     const V3 at = c.t * m_.by;
     double weight[3], sum = 0;
     bool inside = true;
     for (int i = 0; i < 3; ++i) {
         const Point &p = portal_[(i + 1) % 3], &q = portal_[(i + 2) % 3];
-        inside &= turn(p, q) >= (8 * reach_.slack + drift) * speed * norm(q.place - p.place);
+        inside &= turn(p, q) >= (8 * reach_.slack + drift) * norm(q.place - p.place);
         weight[i] = std::max(0.0, dot(n, cross(p.place - at, q.place - at)));
         sum += weight[i];
     }
-    if (!(sum > 0) || (!inside && drift > tolerance::loose_drift * reach_.slack)) return {.t = c.t};
+    if (!(sum > 0)) return {.t = c.t};
     V3 on_a{}, between{};
     for (int i = 0; i < 3; ++i) {
         on_a = on_a + (weight[i] / sum) * portal_[i].on_a;
         between = between + (weight[i] / sum) * portal_[i].place;
     }
-    const V3 met = m_.from + at + on_a;
-    return {Found::hit, c.t, inside ? c.t_upper : infinity, Meeting{met, met + (between - at), -n, true}};
+    const V3 met = m_.from + at + on_a, gap = between - at;
+    if (!inside && norm(gap) > tolerance::loose_axis * reach_.slack) return {.t = c.t};
+    return {Found::hit, c.t, inside ? c.t_upper : infinity, Meeting{met, met + gap, -n, true}};
 }
 
 Entry Cast::entry()

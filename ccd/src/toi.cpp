@@ -4,6 +4,7 @@
 #include "advance.h"
 #include "exact_contact.h"
 #include "glance.h"
+#include "pair_table.h"
 #include "pairs.h"
 #include "portal_cast.h"
 #include "rescale.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -19,9 +19,6 @@
 namespace brink {
 
 namespace {
-
-/// Answers like time_of_impact, for one pair of shapes.
-using Solver = decltype(&time_of_impact);
 
 [[gnu::always_inline]] inline Approach approach(const Query& q)
 {
@@ -173,36 +170,33 @@ Toi solve_exactly(const Shape& a, const Motion& motion_a, const Shape& b, const 
     return clear ? solve_translation<A, B, kernel>(q, m) : solve_with_care<A, B, kernel>(q);
 }
 
-/// The same for two cores without radius, found by portal refinement.
-template <class A, class B> Toi solve_by_casting(const Query& q)
+/// The same for two cores without radius, found by portal refinement; q in their lengths, which are
+/// 2^exponent of the caller's.
+template <class A, class B> Toi cast_cores(const Core& a, const Core& b, const Query& q, int exponent)
 {
-    if (!valid<A, B>(q)) return {};
-    const A& a = as<A>(q.a);
-    const B& b = as<B>(q.b);
-    if (turns(a, q.motion_a) || turns(b, q.motion_b)) return solve_turning<A, B>(q);
     const Approach m = approach(q);
-    const int e = exponent_to_usual(a, b, q, m);
-    if (e == 0) {
-        const Entry entry = portal_cast(part(a), part(b), m);
-        if (entry.found == Found::apart) return plain(Status::separated, q.options.t_max);
-        return entry.found == Found::hit ? hit<A, B>(q, m, entry) : solve_turning<A, B>(q);
-    }
-    if (!can_be_scaled(q, e)) return solve_turning<A, B>(q);
-    const Motion motion_a = scaled(q.motion_a, e), motion_b = scaled(q.motion_b, e);
-    const Options options = scaled(q.options, e);
-    const Query near_1{q.a, motion_a, q.b, motion_b, options};
-    const Approach scaled_m = approach(near_1);
-    const Entry entry = portal_cast(scaled(part(a), e), scaled(part(b), e), scaled_m);
-    if (entry.found == Found::apart) return plain(Status::separated, q.options.t_max);
-    return entry.found == Found::hit ? scaled(hit<A, B>(near_1, scaled_m, entry), -e)
-                                     : solve_turning<A, B>(q);
+    const Entry e = portal_cast(a, b, m);
+    if (e.found == Found::apart) return plain(Status::separated, q.options.t_max);
+    if (e.found != Found::hit) return solve_turning<A, B>(*q.given);
+    const Toi toi = hit<A, B>(q, m, e);
+    return exponent == 0 ? toi : scaled(toi, -exponent);
 }
 
 template <class A, class B>
-Toi solve_casting(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
-                  const Options& options)
+Toi solve_by_casting(const Shape& shape_a, const Motion& motion_a, const Shape& shape_b,
+                     const Motion& motion_b, const Options& options)
 {
-    return solve_by_casting<A, B>({a, motion_a, b, motion_b, options});
+    const Query q{shape_a, motion_a, shape_b, motion_b, options};
+    if (!valid<A, B>(q)) return {};
+    const A& a = as<A>(shape_a);
+    const B& b = as<B>(shape_b);
+    const int e = exponent_to_usual(a, b, q, approach(q));
+    if (turns(a, motion_a) || turns(b, motion_b) || !can_be_scaled(q, e)) return solve_turning<A, B>(q);
+    if (e == 0) return cast_cores<A, B>(part(a), part(b), q, 0);
+    const Motion near_a = scaled(motion_a, e), near_b = scaled(motion_b, e);
+    const Options near = scaled(options, e);
+    return cast_cores<A, B>(scaled(part(a), e), scaled(part(b), e),
+                            {shape_a, near_a, shape_b, near_b, near, &q}, e);
 }
 
 template <class A, class B>
@@ -222,12 +216,6 @@ Toi swapped(const Shape& a, const Motion& motion_a, const Shape& b, const Motion
     return flipped(solver(b, motion_b, a, motion_a, options)); // NOLINT(readability-suspicious-call-argument)
 }
 
-/// One pair of the table. The types keep every solver in its row and column.
-template <class A, class B> struct Cell {
-    Solver solve;
-    Method method;
-};
-
 template <auto kernel> struct Exact;
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)> struct Exact<kernel> {
     static constexpr Method method = in_whole_numbers<A, B> ? Method::closed_form : Method::direct;
@@ -240,16 +228,6 @@ requires(Exact<kernel>::method == Method::closed_form) constexpr auto exact = Ex
 template <auto kernel>
 requires(Exact<kernel>::method == Method::direct) constexpr auto direct = Exact<kernel>::cell;
 template <auto kernel> constexpr auto flip = Exact<kernel>::flip;
-
-template <class T, class... Ts> constexpr std::size_t index_in(const std::variant<Ts...>*)
-{
-    const bool same[] = {std::is_same_v<T, Ts>...};
-    std::size_t i = 0;
-    while (!same[i])
-        ++i;
-    return i;
-}
-template <class T> constexpr std::size_t index_of = index_in<T>(static_cast<const Shape*>(nullptr));
 
 template <class S> constexpr bool has_border = std::is_same_v<decltype(part(std::declval<S>())), Border>;
 
@@ -269,18 +247,12 @@ template <class A, class B> constexpr auto advance = advancing<A, B>();
 template <class A, class B> constexpr Cell<A, B> casting()
 {
     if constexpr (index_of<B> < index_of<A>)
-        return {&swapped<&solve_casting<B, A>>, Method::direct};
+        return {&swapped<&solve_by_casting<B, A>>, Method::direct};
     else
-        return {&solve_casting<A, B>, Method::direct};
+        return {&solve_by_casting<A, B>, Method::direct};
 }
 template <class A, class B> constexpr auto cast = casting<A, B>();
 template <class A, class B> constexpr auto never = Cell<A, B>{&solve_nothing, Method::none};
-
-template <class A, class... B> constexpr std::array<Cell<void, void>, sizeof...(B)> row(Cell<A, B>... cells)
-{
-    static_assert(std::is_same_v<std::variant<B...>, Shape>, "a row has one cell for each shape, in order");
-    return {Cell<void, void>{cells.solve, cells.method}...};
-}
 
 using S = Sphere;
 using C = Capsule;
@@ -298,10 +270,10 @@ constexpr std::array table{
     //     Sphere                   Capsule                   Box                Triangle                Plane                 HalfSpace                  Cylinder       Cone           Ellipsoid      Hull
     row<S>(exact<sphere_sphere>,    exact<sphere_capsule>,    exact<sphere_box>, exact<sphere_triangle>, exact<sphere_plane>,  exact<sphere_half_space>,  advance<S, Y>, advance<S, N>, advance<S, E>, advance<S, U>),
     row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,   direct<capsule_box>,    direct<capsule_triangle>,         exact<capsule_plane>, exact<capsule_half_space>, advance<C, Y>, advance<C, N>, advance<C, E>, advance<C, U>),
-    row<X>(flip<sphere_box>,        flip<capsule_box>,           direct<box_box>,    cast<X, T>,          advance<X, P>,        advance<X, H>,             advance<X, Y>, advance<X, N>, advance<X, E>, cast<X, U>),
-    row<T>(flip<sphere_triangle>,   flip<capsule_triangle>,           cast<T, X>,     cast<T, T>,          advance<T, P>,        advance<T, H>,             advance<T, Y>, advance<T, N>, advance<T, E>, cast<T, U>),
-    row<P>(flip<sphere_plane>,      flip<capsule_plane>,      advance<P, X>,     advance<P, T>,          never<P, P>,          never<P, H>,               advance<P, Y>, advance<P, N>, advance<P, E>, advance<P, U>),
-    row<H>(flip<sphere_half_space>, flip<capsule_half_space>, advance<H, X>,     advance<H, T>,          never<H, P>,          never<H, H>,               advance<H, Y>, advance<H, N>, advance<H, E>, advance<H, U>),
+    row<X>(flip<sphere_box>,        flip<capsule_box>,           direct<box_box>,    cast<X, T>,          exact<box_plane>,        exact<box_half_space>,             advance<X, Y>, advance<X, N>, advance<X, E>, cast<X, U>),
+    row<T>(flip<sphere_triangle>,   flip<capsule_triangle>,           cast<T, X>,     cast<T, T>,          exact<triangle_plane>,        exact<triangle_half_space>,             advance<T, Y>, advance<T, N>, advance<T, E>, cast<T, U>),
+    row<P>(flip<sphere_plane>,      flip<capsule_plane>,      flip<box_plane>,     flip<triangle_plane>,          never<P, P>,          never<P, H>,               advance<P, Y>, advance<P, N>, advance<P, E>, advance<P, U>),
+    row<H>(flip<sphere_half_space>, flip<capsule_half_space>, flip<box_half_space>,     flip<triangle_half_space>,          never<H, P>,          never<H, H>,               advance<H, Y>, advance<H, N>, advance<H, E>, advance<H, U>),
     row<Y>(advance<Y, S>,           advance<Y, C>,            advance<Y, X>,     advance<Y, T>,          advance<Y, P>,        advance<Y, H>,             advance<Y, Y>, advance<Y, N>, advance<Y, E>, advance<Y, U>),
     row<N>(advance<N, S>,           advance<N, C>,            advance<N, X>,     advance<N, T>,          advance<N, P>,        advance<N, H>,             advance<N, Y>, advance<N, N>, advance<N, E>, advance<N, U>),
     row<E>(advance<E, S>,           advance<E, C>,            advance<E, X>,     advance<E, T>,          advance<E, P>,        advance<E, H>,             advance<E, Y>, advance<E, N>, advance<E, E>, advance<E, U>),

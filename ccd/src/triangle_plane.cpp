@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "border_entry.h"
+#include "pairs.h"
+
+namespace brink {
+
+Entry triangle_plane(const Triangle& a, const Plane& b, const Approach& m) { return border_entry(a, b, m); }
+
+} // namespace brink
