@@ -45,8 +45,8 @@ struct Ruling {
 };
 Ruling rule(const Query&, const Toi&);
 
-/// Whether an `undecided` at t is excused because something grazes: at t, or at contact, the pair closes at less
-/// than 1e-3 of the fastest relative motion, or there is no contact by less than 1e-6 of the scale.
+/// Whether an `undecided` at t is excused because something grazes: at t, or at contact, the pair closes at
+/// less than 1e-3 of the fastest relative motion, or there is no contact by less than 1e-6 of the scale.
 bool grazes(const Query&, const Meeting&, double t);
 
 } // namespace brink::support
