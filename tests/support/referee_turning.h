@@ -41,7 +41,6 @@ struct Ruling {
     Findings findings;
     bool unsettled = false; // the walk ran out of evaluations: `late` and `missed` are not excluded
     bool in_digits = false; // long double was not enough
-    double over = 0;        // gap(t) - target_gap of a hit
 };
 Ruling rule(const Query&, const Toi&);
 
