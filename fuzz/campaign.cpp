@@ -34,7 +34,7 @@ bool for_breadth(std::uint64_t index) { return std::popcount(index) % 2 == 0; }
 support::Query drawn(const Pair& pair, std::uint64_t seed, std::uint64_t index)
 {
     return for_breadth(index) ? query(pair, support::Family::any, seed, index)
-                          : campaign_query(pair, seed, index);
+                              : campaign_query(pair, seed, index);
 }
 
 void complain(Tally& tally, const Case& c, const Findings& findings)
@@ -109,13 +109,12 @@ Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_
 {
     Tally tally;
     std::vector<Case> to_witness;
-    const bool referenced = !pair.unbounded() && pair.second < 6;
     for (std::uint64_t i = begin; i < end; ++i) {
         Case c{i, Trial(drawn(pair, plan.seed, i))};
         count(tally, c.trial.toi());
         Findings findings = judge_alone(c.trial);
         const bool odd = suspicious(c.trial.toi()) || !findings.empty();
-        if (referenced && for_breadth(i) && (odd || i % plan.reference_every == 0))
+        if (pair.has_reference() && for_breadth(i) && (odd || i % plan.reference_every == 0))
             append(findings, by_reference(tally, c.trial));
         if (judgeable(c.trial.query()) && (odd || i % plan.rule_every == 0))
             append(findings, by_referee(tally, c.trial));
@@ -218,7 +217,7 @@ std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
         ", evaluations {}{}\n",
         ref.contact, ref.t, ref.start_gap, ref.least_gap, ref.closing_speed, trial.motion().fastest(),
         ref.evaluations, ref.gave_up ? ", gave up" : "");
-    Findings findings = pair.second < 6 ? judge(trial) : judge_alone(trial);
+    Findings findings = pair.has_reference() ? judge(trial) : judge_alone(trial);
     Witnesses witnesses;
     const Statement said = witnesses.question(one).front();
     append(findings, said.against_brink);

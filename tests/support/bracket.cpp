@@ -42,10 +42,10 @@ template <class T> Bracket<T> between_polytopes(const Placement<T>& a, const Pla
 }
 
 template <class T>
-Bracket<T> between_cores(const Placement<T>& a, const Placement<T>& b, const T& radii, const T& enough,
-                         const Vector<T>& hint)
+Bracket<T> between_cores(const Placement<T>& a, const Placement<T>& b, const T& radii, Effort<T> effort)
 {
-    const Simplices<T> found = by_simplices(a, b, enough, hint);
+    effort.level += radii;
+    const Simplices<T> found = by_simplices(a, b, effort);
     Bracket<T> out;
     out.upper = found.upper - radii;
     out.lower = found.lower - radii;
@@ -89,8 +89,7 @@ template <class T> GroundHeights<T> heights_over(const Placement<T>& body, const
     return out;
 }
 
-template <class T>
-Bracket<T> bracket(const Placement<T>& a, const Placement<T>& b, const T& enough, const Vector<T>& hint)
+template <class T> Bracket<T> bracket(const Placement<T>& a, const Placement<T>& b, const Effort<T>& effort)
 {
     if (b.solid->unbounded()) return over_ground(a, b);
     if (a.solid->unbounded()) {
@@ -101,7 +100,7 @@ Bracket<T> bracket(const Placement<T>& a, const Placement<T>& b, const T& enough
     }
     const T radii = a.solid->radius + b.solid->radius;
     if (polytope(a) && polytope(b)) return between_polytopes(a, b, radii);
-    return between_cores(a, b, radii, enough, hint);
+    return between_cores(a, b, radii, effort);
 }
 
 template long double separation(const Placement<long double>&, const Placement<long double>&,
@@ -109,12 +108,12 @@ template long double separation(const Placement<long double>&, const Placement<l
 template GroundHeights<long double> heights_over(const Placement<long double>&,
                                                  const Placement<long double>&);
 template Bracket<long double> bracket(const Placement<long double>&, const Placement<long double>&,
-                                      const long double&, const Vector<long double>&);
+                                      const Effort<long double>&);
 #if BRINK_HAVE_REFEREE
 template Hundred separation(const Placement<Hundred>&, const Placement<Hundred>&, const Vector<Hundred>&);
 template GroundHeights<Hundred> heights_over(const Placement<Hundred>&, const Placement<Hundred>&);
-template Bracket<Hundred> bracket(const Placement<Hundred>&, const Placement<Hundred>&, const Hundred&,
-                                  const Vector<Hundred>&);
+template Bracket<Hundred> bracket(const Placement<Hundred>&, const Placement<Hundred>&,
+                                  const Effort<Hundred>&);
 #endif
 
 } // namespace brink::support

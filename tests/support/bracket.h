@@ -15,13 +15,19 @@ template <class T> struct Bracket {
     bool depth_known = true;    // false: the cores overlap, and how deep is not known
 };
 
+/// How narrow a bracket is asked for, where it is found by iteration: within `enough` (a length), or within
+/// `share` of how far its lower bound is above `level`; with a share, an upper bound that is not above the
+/// level is enough too.
+template <class T> struct Effort {
+    T enough = 0;
+    T share = 0, level = 0;
+    Vector<T> hint{}; // a direction from A to B to start from, if one is known
+};
+
 /// At most one may be unbounded. Polytopes by brute force over features (overlap: by separating axes, with
-/// the depth); the others by GJK (E. Gilbert, D. Johnson, S. Keerthi 1988) until the bounds are within
-/// `enough` (a length) or the arithmetic is exhausted. `hint`: a direction from A to B to start from, if one
-/// is known. For T = long double the bounds are subject to rounding.
-template <class T>
-Bracket<T> bracket(const Placement<T>& a, const Placement<T>& b, const T& enough,
-                   const Vector<T>& hint = Vector<T>{});
+/// the depth); the others by GJK (E. Gilbert, D. Johnson, S. Keerthi 1988) until the bounds are narrow or the
+/// arithmetic is exhausted. For T = long double the bounds are subject to rounding.
+template <class T> Bracket<T> bracket(const Placement<T>& a, const Placement<T>& b, const Effort<T>&);
 
 /// The least of n . b - n . a over the cores of two bounded solids, less the radii: not above the gap for a
 /// unit normal.
@@ -51,14 +57,12 @@ template <class T> struct Depth {
 };
 template <class T> Depth<T> separating_axis(const Placement<T>& a, const Placement<T>& b);
 
-/// The nearest points of any two bounded cores by GJK. Radii do not count.
+/// The nearest points of any two bounded cores by GJK. Radii do not count, nor are they in the level.
 template <class T> struct Simplices {
     T lower = 0, upper = 0;
     Vector<T> normal, point_a, point_b;
     bool overlap = false; // four points of the difference of the cores hold the origin
 };
-template <class T>
-Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const T& enough,
-                          const Vector<T>& hint);
+template <class T> Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const Effort<T>&);
 
 } // namespace brink::support

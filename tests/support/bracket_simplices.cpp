@@ -130,6 +130,13 @@ template <class T> bool has(const Simplex<T>& s, const Vector<T>& p)
     return false;
 }
 
+template <class T> bool narrow(const Simplices<T>& found, const Effort<T>& effort)
+{
+    const T width = found.upper - found.lower;
+    const bool touching = effort.share > 0 && found.upper <= effort.level;
+    return touching || width <= effort.enough || width <= effort.share * (found.lower - effort.level);
+}
+
 template <class T>
 Vector<T> first_direction(const Placement<T>& a, const Placement<T>& b, const Vector<T>& hint)
 {
@@ -141,8 +148,7 @@ Vector<T> first_direction(const Placement<T>& a, const Placement<T>& b, const Ve
 } // namespace
 
 template <class T>
-Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const T& enough,
-                          const Vector<T>& hint)
+Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const Effort<T>& effort)
 {
     using std::sqrt;
     const auto corner = [&](const Vector<T>& n) {
@@ -152,7 +158,7 @@ Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const T&
     };
     Simplices<T> out;
     Simplex<T> simplex;
-    simplex.corner[simplex.count++] = corner(first_direction(a, b, hint));
+    simplex.corner[simplex.count++] = corner(first_direction(a, b, effort.hint));
     bool any = false;
     int idle = 0;
     for (int i = 0; i < most_iterations<T> && idle < most_idle; ++i) {
@@ -179,17 +185,17 @@ Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const T&
             idle = 0;
         }
         any = true;
-        if (out.upper - out.lower <= enough || has(simplex, next.p)) break;
+        if (narrow(out, effort) || has(simplex, next.p)) break;
         simplex.corner[simplex.count++] = next;
     }
     return out;
 }
 
 template Simplices<long double> by_simplices(const Placement<long double>&, const Placement<long double>&,
-                                             const long double&, const Vector<long double>&);
+                                             const Effort<long double>&);
 #if BRINK_HAVE_REFEREE
-template Simplices<Hundred> by_simplices(const Placement<Hundred>&, const Placement<Hundred>&, const Hundred&,
-                                         const Vector<Hundred>&);
+template Simplices<Hundred> by_simplices(const Placement<Hundred>&, const Placement<Hundred>&,
+                                         const Effort<Hundred>&);
 #endif
 
 } // namespace brink::support

@@ -126,6 +126,8 @@ bool is_border(std::size_t shape) { return shape == 4 || shape == 5; }
 
 bool Pair::unbounded() const { return is_border(first) && is_border(second); }
 
+bool Pair::has_reference() const { return second < 6 && !unbounded(); }
+
 bool Pair::closed_form() const
 {
     return (first == 0 && second < 6) || (first == 1 && (second == 1 || is_border(second)));

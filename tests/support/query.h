@@ -34,6 +34,8 @@ struct Pair {
     std::string name() const; // "sphere-half_space"
     /// Two of plane and half-space, which every query answers with `invalid`.
     bool unbounded() const;
+    /// Whether the dense reference judges it: two of sphere, capsule, box, triangle, plane and half-space.
+    bool has_reference() const;
     /// Whether the pair has a closed form under translation.
     bool closed_form() const;
 };
@@ -56,9 +58,10 @@ enum class Family : unsigned char {
 /// the origin, exact in small integers, thin walls crossed in one step.
 Query query(const Pair&, Family, std::uint64_t seed, std::uint64_t index);
 
-/// The same made nastier where something turns, for long campaigns: four in five turn, by up to 60 degrees, up
-/// to 300, ten turns and seldom a hundred, one body or both; needles; bodies that rock on their nearest corner;
-/// target gaps tuned to the least gap of the whole motion; tolerances of 1e-12, 1e-9, 1e-6, 1e-4 and 0.
+/// The same made nastier where something turns, for long campaigns: four in five turn, by up to 60 degrees,
+/// up to 300, ten turns and seldom a hundred, one body or both; needles; bodies that rock on their nearest
+/// corner; target gaps tuned to the least gap of the whole motion; tolerances of 1e-12, 1e-9, 1e-6, 1e-4 and
+/// 0.
 Query campaign_query(const Pair&, std::uint64_t seed, std::uint64_t index);
 
 } // namespace brink::support

@@ -32,7 +32,7 @@ Real off(const Placement<Real>& shape, const Vector<Real>& point, Real enough)
         const Real height = dot(shape.normal, point) - shape.offset;
         return shape.solid->core == Core::plane ? std::abs(height) : height;
     }
-    return bracket(shape, there, enough).lower;
+    return bracket(shape, there, Effort<Real>{enough}).lower;
 }
 
 /// A body's height above ground against `up`, which must be the ground's normal or, for a plane, its
@@ -60,7 +60,7 @@ Findings judge_contact(const Query& q, const Toi& toi, const Question& question)
     const MovingPair<Real>& pair = question.coarse();
     const Placement<Real> a = pair.a().at(toi.t);
     const Placement<Real> b = pair.b().at(toi.t);
-    const Bracket<Real> truth = bracket(a, b, pair.enough());
+    const Bracket<Real> truth = bracket(a, b, Effort<Real>{pair.enough()});
     const Real close = 4 * 16 * eps * pair.scale();
     const Real radii = a.solid->radius + b.solid->radius;
     Findings out;

@@ -97,9 +97,13 @@ MovingPair<T>::MovingPair(const Query& q)
 
 template <class T> Bracket<T> MovingPair<T>::at(const T& t, const Vector<T>& hint) const
 {
-    const Placement<T> a = a_.at(t);
-    const Placement<T> b = b_.at(t);
-    return bracket(a, b, enough_, hint);
+    return bracket(a_.at(t), b_.at(t), Effort<T>{enough_, 0, 0, hint});
+}
+
+template <class T>
+Bracket<T> MovingPair<T>::roughly(const T& t, const Vector<T>& hint, const T& level, const T& share) const
+{
+    return bracket(a_.at(t), b_.at(t), Effort<T>{enough_, share, level, hint});
 }
 
 template <class T> Vector<T> MovingPair<T>::from_world(const Vec3& point, const T& t) const

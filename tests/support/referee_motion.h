@@ -33,8 +33,10 @@ public:
     const MovingBody<T>& a() const { return a_; }
     const MovingBody<T>& b() const { return b_; }
 
-    /// The gap at t. `enough` as in bracket().
+    /// The gap at t, to enough().
     Bracket<T> at(const T& t, const Vector<T>& hint = Vector<T>{}) const;
+    /// The same, but no nearer than within `share` of how far it is above `level`.
+    Bracket<T> roughly(const T& t, const Vector<T>& hint, const T& level, const T& share) const;
 
     /// From the world to the frame of the placements.
     Vector<T> from_world(const Vec3& point, const T& t) const;

@@ -59,15 +59,22 @@ Hundred crossing(const MovingPair<Hundred>& pair, Hundred low, Hundred high)
     return high;
 }
 
+Vector<Hundred> in_digits(const Bracket<long double>& gap)
+{
+    return {gap.normal.x, gap.normal.y, gap.normal.z};
+}
+
 } // namespace
 
 Question::Over Question::over(double t, const Hundred& level) const
 {
-    const Bracket<long double> quick = coarse_.at(t);
+    constexpr double share = 0.5; // what side of the level it is on
+    const auto near = static_cast<long double>(level) + coarse_.target();
+    const Bracket<long double> quick = coarse_.roughly(t, {}, near, share);
     const Hundred lower = Hundred(quick.lower - coarse_.blur()) - fine_.target();
     const Hundred upper = Hundred(quick.upper + coarse_.blur()) - fine_.target();
     if (lower > level || upper <= level) return {lower, upper};
-    const Bracket<Hundred> gap = fine_.at(t);
+    const Bracket<Hundred> gap = fine_.roughly(t, in_digits(quick), level + fine_.target(), share);
     return {gap.lower - fine_.target(), gap.upper - fine_.target()};
 }
 

@@ -62,7 +62,6 @@ void judge_tight(const Case& c, const Hundred& from, Ruling& out)
 {
     const Toi& toi = c.toi;
     const Question::Over now = c.question.over(toi.t, c.band);
-    out.over = shown(now.upper);
     if (now.lower > c.band) {
         const MovingPair<long double>& pair = c.question.coarse();
         const auto speed = closing_speed(pair, static_cast<long double>(toi.t), pair.at(toi.t));

@@ -41,12 +41,11 @@ struct Ruling {
     Findings findings;
     bool unsettled = false; // the walk ran out of evaluations: `late` and `missed` are not excluded
     bool in_digits = false; // long double was not enough
-    double over = 0;        // gap(t) - target_gap of a hit
 };
 Ruling rule(const Query&, const Toi&);
 
-/// Whether an `undecided` at t is excused because something grazes: at t, or at contact, the pair closes at less
-/// than 1e-3 of the fastest relative motion, or there is no contact by less than 1e-6 of the scale.
+/// Whether an `undecided` at t is excused because something grazes: at t, or at contact, the pair closes at
+/// less than 1e-3 of the fastest relative motion, or there is no contact by less than 1e-6 of the scale.
 bool grazes(const Query&, const Meeting&, double t);
 
 } // namespace brink::support

@@ -66,7 +66,7 @@ public:
     Walker(const MovingPair<T>& pair, const T& from, const T& to, const Limits<T>& limits)
         : pair_(pair), to_(to), level_(pair.target()), limits_(limits), pace_(pair)
     {
-        stand(from, pair.at(from));
+        stand(from, look(from));
         out_.least = out_.gap.upper;
         out_.least_at = from;
     }
@@ -89,6 +89,9 @@ public:
     }
 
 private:
+    /// As near as a step takes.
+    Bracket<T> look(const T& t) const { return pair_.roughly(t, out_.gap.normal, level_, T(1e-8)); }
+
     T over(const Bracket<T>& gap) const { return gap.lower - pair_.blur() - level_; }
 
     void stand(const T& t, const Bracket<T>& gap)
@@ -99,7 +102,7 @@ private:
         ++out_.evaluations;
     }
 
-    void jump(const T& t) { stand(t, pair_.at(t, out_.gap.normal)); }
+    void jump(const T& t) { stand(t, look(t)); }
 
     Walk<T> end(Halt halt)
     {
@@ -131,6 +134,13 @@ private:
     /// Whether a bracket is too wide to step by.
     bool loose(const Bracket<T>& gap) const { return gap.upper - gap.lower > over(out_.gap) / 4; }
 
+    /// How far along a step that ended in contact the line between the two gaps meets the level, and less.
+    T share_of(const Bracket<T>& gap) const
+    {
+        const T g0 = over(out_.gap);
+        return T(0.9) * g0 / (g0 + level_ - gap.upper);
+    }
+
     /// One step, however short. False where time or the gap itself is too coarse.
     bool advance()
     {
@@ -143,7 +153,7 @@ private:
             const T next = aim >= to_ ? to_ : plain(aim, h);
             if (!(next > out_.clear)) return false;
             h = next - out_.clear;
-            const Bracket<T> gap = pair_.at(next, out_.gap.normal);
+            const Bracket<T> gap = look(next);
             see(next, gap);
             const T turned = norm(gap.normal - out_.gap.normal);
             if (proven(gap, h)) {
@@ -153,11 +163,9 @@ private:
                 return true;
             }
             pace_.refused(turned, h);
-            const T g0 = over(out_.gap);
-            const T g1 = over(gap);
             if (out_.evaluations >= limits_.budget) return true;
-            if (loose(out_.gap) || loose(gap)) return false;
-            h = g1 < 0 && gap.depth_known ? std::min(T(h / 2), T(h * T(0.9) * g0 / (g0 - g1))) : T(h / 2);
+            if (gap.upper > level_ && loose(gap)) return false;
+            h = gap.upper < level_ && gap.depth_known ? std::min(T(h / 2), T(h * share_of(gap))) : T(h / 2);
         }
     }
 

@@ -7,7 +7,9 @@
 namespace brink::support {
 
 /// The gap of a query's shapes over time, in long double, about the start of body B so that a common offset
-/// costs nothing. Both shapes must be valid and at most one of them unbounded.
+/// costs nothing. Both shapes must be valid and at most one of them unbounded. Of a cylinder, cone, ellipsoid
+/// or hull that overlaps another no depth is known, and what is near is known to fewer digits: enough to aim
+/// by.
 class GapOverTime {
 public:
     explicit GapOverTime(const Query&);

@@ -113,7 +113,7 @@ Gap gap_of_solids(const Placed& a, const Placed& b)
 {
     const Placed solid_a = as_solid(a);
     const Placed solid_b = as_solid(b);
-    const Bracket<Real> found = bracket(solid_a.placement, solid_b.placement, Real(0));
+    const Bracket<Real> found = bracket(solid_a.placement, solid_b.placement, Effort<Real>{});
     const Real3 n = real3(found.normal);
     const Real gap = found.upper - a.radius - b.radius;
     return {gap, n, real3(found.point_a) + a.radius * n, real3(found.point_b) - b.radius * n,
