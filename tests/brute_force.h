@@ -3,6 +3,7 @@
 
 #include "core.h"
 #include "random.h"
+#include "support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ inline Polytope polytope(const Core& core)
 {
     Polytope p;
     for (int k = 0; k < core.count; ++k)
-        p.corners.push_back(real(core.points[k]));
+        p.corners.push_back(real(corner(core, k)));
     const auto& c = p.corners;
     if (core.kind == Core::Kind::segment) p.edges = {{c[0], c[1]}};
     if (core.kind == Core::Kind::triangle) {
@@ -176,7 +177,7 @@ inline double scale(const Core& a, const Core& b)
     Real largest = 0;
     for (const Core* c : {&a, &b})
         for (int k = 0; k < c->count; ++k)
-            largest = std::max(largest, norm(real(c->points[k])));
+            largest = std::max(largest, norm(real(corner(*c, k))));
     return static_cast<double>(largest);
 }
 
@@ -257,7 +258,7 @@ public:
         if (choice == 0) return {placed_a, placed(b, turn_b, 1e6 * at)};
         if (choice == 1) // share a corner
             return {placed_a,
-                    placed(b, turn_b, at + (placed_a.points[corner_a] - placed_b.points[corner_b]))};
+                    placed(b, turn_b, at + (corner(placed_a, corner_a) - corner(placed_b, corner_b)))};
         if (choice > 4) return {placed_a, placed_b};
         const Separation s = separation(placed_a, placed_b);
         return {placed_a, placed(b, turn_b, at + (sign * off - s.gap) * s.normal)};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
+#include "support.h"
 #include "support/random.h"
 
 #include <doctest/doctest.h>
@@ -49,9 +50,9 @@ double along(const Core& a, const Core& b, V3 offset, V3 axis)
 {
     double most_a = -infinity, least_b = infinity;
     for (int k = 0; k < a.count; ++k)
-        most_a = std::max(most_a, dot(axis, a.points[k]));
+        most_a = std::max(most_a, dot(axis, corner(a, k)));
     for (int k = 0; k < b.count; ++k)
-        least_b = std::min(least_b, dot(axis, b.points[k] + offset));
+        least_b = std::min(least_b, dot(axis, corner(b, k) + offset));
     return least_b - most_a;
 }
 
@@ -64,12 +65,8 @@ Sample sample(const Scene& s, double t, V3 axis)
 {
     Sample at{s.a.turned_to(t), s.b.turned_to(t), {}};
     const V3 offset = s.offset(t);
-    at.facing = {{nullptr, 8, 0, s.a.reach, s.a.turn.rate},
-                 {nullptr, 8, 0, s.b.reach, s.b.turn.rate},
-                 axis,
-                 offset,
-                 s.b.translation - s.a.translation,
-                 along(at.a, at.b, offset, axis)};
+    at.facing = {{nullptr, 0, s.a.reach, s.a.turn.rate}, {nullptr, 0, s.b.reach, s.b.turn.rate}, axis, offset,
+                 s.b.translation - s.a.translation,      along(at.a, at.b, offset, axis)};
     return at;
 }
 
@@ -87,8 +84,8 @@ TEST_CASE("safe_step: no gap opens into contact within a certified step, whateve
         const bool best_axis = random.chance(0.7);
         const V3 any = load(random.unit());
         Sample s = sample(scene, t, best_axis ? scene.at(t).normal : any);
-        s.facing.a.points = s.a.points;
-        s.facing.b.points = s.b.points;
+        s.facing.a.core = &s.a;
+        s.facing.b.core = &s.b;
         if (!(s.facing.gap > 1e-9)) continue;
         const double horizon = 1 - t, step = safe_step(s.facing, horizon);
         CAPTURE(i);
@@ -116,8 +113,8 @@ TEST_CASE("rising_step: the gap stays at or above where it was")
         const Scene scene{mover(a, motion_a), mover(b, motion_b)};
         const double t = random.between(0, 0.9);
         Sample s = sample(scene, t, scene.at(t).normal);
-        s.facing.a.points = s.a.points;
-        s.facing.b.points = s.b.points;
+        s.facing.a.core = &s.a;
+        s.facing.b.core = &s.b;
         const double step = rising_step(s.facing, 1 - t);
         if (step == 0) continue;
         CAPTURE(i);

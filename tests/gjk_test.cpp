@@ -17,7 +17,7 @@ Simplex hull(std::initializer_list<V3> points)
 {
     Simplex s;
     for (const V3 p : points)
-        s = s.with({p, s.size, s.size, 0});
+        s = s.with({p, {}, s.size, s.size, 0});
     return s;
 }
 

@@ -44,6 +44,7 @@ struct Scaling {
     Shape operator()(const Triangle& s) const { return Triangle{(*this)(s.a), (*this)(s.b), (*this)(s.c)}; }
     Shape operator()(const Plane& s) const { return Plane{s.normal, by * s.offset}; }
     Shape operator()(const HalfSpace& s) const { return HalfSpace{s.normal, by * s.offset}; }
+    template <class Unjudged> Shape operator()(const Unjudged& s) const { return s; }
     Shape operator()(const Shape& s) const { return std::visit(*this, s); }
     Motion operator()(const Motion& m) const
     {

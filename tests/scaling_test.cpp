@@ -38,6 +38,22 @@ Shape scaled(const Shape& shape, int k)
         }
         Shape operator()(const Plane& s) const { return Plane{s.normal, std::ldexp(s.offset, k)}; }
         Shape operator()(const HalfSpace& s) const { return HalfSpace{s.normal, std::ldexp(s.offset, k)}; }
+        Shape operator()(const Cylinder& s) const
+        {
+            return Cylinder{std::ldexp(s.half_length, k), std::ldexp(s.radius, k)};
+        }
+        Shape operator()(const Cone& s) const
+        {
+            return Cone{std::ldexp(s.half_length, k), std::ldexp(s.radius, k)};
+        }
+        Shape operator()(const Ellipsoid& s) const { return Ellipsoid{scaled(s.radii, k)}; }
+        Shape operator()(const Hull& s) const
+        {
+            std::vector<Vec3> points;
+            for (const Vec3& p : s.vertices())
+                points.push_back(scaled(p, k));
+            return Hull::from_points(points);
+        }
     };
     return std::visit(Times{k}, shape);
 }

@@ -26,7 +26,11 @@ Shape some(std::size_t index)
                             Box{Vec3(1, 1, 1)},
                             Triangle{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
                             Plane{},
-                            HalfSpace{}};
+                            HalfSpace{},
+                            Cylinder{1, 0.5},
+                            Cone{1, 0.5},
+                            Ellipsoid{Vec3(1, 0.5, 0.75)},
+                            Hull{}};
     return shapes[index];
 }
 

@@ -22,13 +22,10 @@ template <class Part> double extent(const Mover<Part>& m)
     return norm(m.arm) + (1 + m.turn.angle) * m.reach + size(m.part);
 }
 
-Turning turning(const Core& part, const Mover<Core>& m, V3)
-{
-    return {part.points, part.count, 0, m.reach, m.turn.rate};
-}
+Turning turning(const Core& part, const Mover<Core>& m, V3) { return {&part, 0, m.reach, m.turn.rate}; }
 Turning turning(const Border& part, const Mover<Border>& m, V3 axis)
 {
-    return {nullptr, 0, dot(axis, part.normal) < 0 ? -part.offset : part.offset, 0, m.turn.rate};
+    return {nullptr, dot(axis, part.normal) < 0 ? -part.offset : part.offset, 0, m.turn.rate};
 }
 
 /// One query: the two bodies, seen from A's pivot, on their way through the step.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
 
+#include "support.h"
 #include "tolerance.h"
 
 #include <algorithm>
@@ -16,21 +17,29 @@ struct Piece {
     double value, slope;
 };
 
+/// The point of a core that lies farthest along d.
+V3 extreme_point(const Core& core, V3 d)
+{
+    if (!is_simple(core)) return farthest(core, d).point;
+    V3 best = corner(core, 0);
+    double most = dot(d, best);
+    for (int k = 1; k < core.count; ++k) {
+        const V3 point = corner(core, k);
+        const double value = dot(d, point);
+        if (!(value > most)) continue;
+        best = point;
+        most = value;
+    }
+    return best;
+}
+
 /// How a body shows along the turning axis: its extreme point's line. `side` is +1 for A, whose largest value
 /// counts, and -1 for B, whose smallest does.
 Piece extreme(const Turning& body, V3 axis, V3 shift, double h, double side)
 {
-    if (body.count == 0) return {body.level, 0};
-    const V3 d = side * (axis + h * shift);
-    int best = 0;
-    double most = dot(d, body.points[0]);
-    for (int k = 1; k < body.count; ++k) {
-        const double value = dot(d, body.points[k]);
-        if (!(value > most)) continue;
-        best = k;
-        most = value;
-    }
-    return {dot(axis, body.points[best]), dot(shift, body.points[best])};
+    if (body.core == nullptr) return {body.level, 0};
+    const V3 point = extreme_point(*body.core, side * (axis + h * shift));
+    return {dot(axis, point), dot(shift, point)};
 }
 
 /// Bounds the second derivative of n . x for a point x of the body while the axis n turns with `spin`.
@@ -135,21 +144,21 @@ struct Edges {
     V3 direction[3]; // unit
 };
 
-Edges edges_across(const Turning& body, V3 axis, double side)
+Edges edges_across(const Core& core, V3 axis, double side)
 {
     int nearest = 0;
-    for (int k = 1; k < body.count; ++k)
-        if (side * dot(axis, body.points[k]) > side * dot(axis, body.points[nearest])) nearest = k;
+    for (int k = 1; k < core.count; ++k)
+        if (side * dot(axis, corner(core, k)) > side * dot(axis, corner(core, nearest))) nearest = k;
     Edges edges;
     const auto add = [&](V3 along) {
         const double length = norm(along);
         if (length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length && edges.count < 3)
             edges.direction[edges.count++] = (1 / length) * along;
     };
-    for (int k = 0; k < body.count; ++k)
-        add(body.points[k] - body.points[nearest]);
-    if (body.count == 3 && edges.count == 2)
-        add(body.points[(nearest + 1) % 3] - body.points[(nearest + 2) % 3]);
+    for (int k = 0; k < core.count; ++k)
+        add(corner(core, k) - corner(core, nearest));
+    if (core.count == 3 && edges.count == 2)
+        add(corner(core, (nearest + 1) % 3) - corner(core, (nearest + 2) % 3));
     return edges;
 }
 
@@ -169,14 +178,14 @@ V3 following(const Facing& f, V3 e, V3 g)
 /// rate is valid; the right one makes the steps converge.
 template <class Step> double best(const Facing& f, double horizon, Step step)
 {
-    if (f.b.count == 0) return step(f, f.b.rate, horizon);
+    if (f.b.core == nullptr) return step(f, f.b.rate, horizon);
     double h = step(f, V3{}, horizon);
     const auto better = [&](V3 spin) {
         if (!(spin == V3{}) && h < horizon) h = std::max(h, step(f, spin, horizon));
     };
     better(f.a.rate);
     better(f.b.rate);
-    const Edges of_a = edges_across(f.a, f.axis, 1), of_b = edges_across(f.b, f.axis, -1);
+    const Edges of_a = edges_across(*f.a.core, f.axis, 1), of_b = edges_across(*f.b.core, f.axis, -1);
     const bool faces = of_a.count > 1 || of_b.count > 1;
     if (faces && h > tolerance::standstill * horizon) return h;
     for (int i = 0; i < std::max(1, of_a.count); ++i)
@@ -189,7 +198,7 @@ template <class Step> double best(const Facing& f, double horizon, Step step)
 
 double safe_step(const Facing& f, double horizon)
 {
-    const double simple = f.b.count > 0 ? first_order(f, horizon) : 0;
+    const double simple = f.b.core != nullptr ? first_order(f, horizon) : 0;
     return simple >= horizon ? horizon : std::max(simple, best(f, horizon, safe));
 }
 

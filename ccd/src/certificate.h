@@ -5,11 +5,11 @@
 
 namespace brink {
 
-/// What the certified steps need of one body at one time: its points about the pivot, or its plane.
+/// What the certified steps need of one body at one time: its core about the pivot, or its plane.
 struct Turning {
-    const V3* points = nullptr; // about the pivot, world axes
-    int count = 0;              // 0: a plane or half-space, which `level` stands for
-    double level = 0;           // n . x of every point of the plane, n the axis of the certificate
+    const Core* core =
+        nullptr;      // about the pivot, world axes; null: a plane or half-space, which `level` is of
+    double level = 0; // n . x of every point of the plane, n the axis of the certificate
     double reach = 0;
     V3 rate;
 };

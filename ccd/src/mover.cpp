@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mover.h"
 
+#include "support.h"
 #include "tolerance.h"
 #include "trig.h"
-
-#include <algorithm>
 
 namespace brink {
 
 namespace {
-
-double farthest(const Core& core)
-{
-    double squared = 0;
-    for (int k = 0; k < core.count; ++k)
-        squared = std::max(squared, norm_squared(core.points[k]));
-    return std::sqrt(squared) * (1 + tolerance::holding_slack);
-}
 
 template <class Part> Mover<Part> started(const Part& local, const Motion& motion)
 {
@@ -28,14 +19,6 @@ template <class Part> Mover<Part> started(const Part& local, const Motion& motio
     m.arm = pivot == V3{} ? V3{} : start * pivot;
     m.translation = load(motion.translation);
     m.turn = turn(motion.rotation);
-    return m;
-}
-
-Mover<Core> bounded(const Core& local, const Motion& motion)
-{
-    Mover<Core> m = started(local, motion);
-    m.reach = farthest(m.part);
-    if (m.reach == 0) m.turn = {};
     return m;
 }
 
@@ -59,11 +42,14 @@ Rotation turned(const Turn& turn, double t)
             {ck.z * k.x + sk.y, ck.z * k.y - sk.x, at.cos + ck.z * k.z}};
 }
 
-Mover<Core> mover(const Sphere& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Core> mover(const Capsule& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Core> mover(const Box& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Core> mover(const Triangle& s, const Motion& m) { return bounded(core(s), m); }
-Mover<Border> mover(const Plane& s, const Motion& m) { return started(border(s), m); }
-Mover<Border> mover(const HalfSpace& s, const Motion& m) { return started(border(s), m); }
+Mover<Core> mover(const Core& local, const Motion& motion)
+{
+    Mover<Core> m = started(local, motion);
+    m.reach = reach(m.part) * (1 + tolerance::holding_slack);
+    if (m.reach == 0) m.turn = {};
+    return m;
+}
+
+Mover<Border> mover(const Border& local, const Motion& motion) { return started(local, motion); }
 
 } // namespace brink

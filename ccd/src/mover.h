@@ -33,11 +33,21 @@ template <class Part> struct Mover {
     Part turned_to(double t) const { return placed(part, turned(turn, t), {}); }
 };
 
-Mover<Core> mover(const Sphere&, const Motion&);
-Mover<Core> mover(const Capsule&, const Motion&);
-Mover<Core> mover(const Box&, const Motion&);
-Mover<Core> mover(const Triangle&, const Motion&);
-Mover<Border> mover(const Plane&, const Motion&);
-Mover<Border> mover(const HalfSpace&, const Motion&);
+/// A shape seen from itself, on its way.
+Mover<Core> mover(const Core&, const Motion&);
+Mover<Border> mover(const Border&, const Motion&);
+
+static inline Core part(const Sphere& s) { return core(s); }
+static inline Core part(const Capsule& s) { return core(s); }
+static inline Core part(const Box& s) { return core(s); }
+static inline Core part(const Triangle& s) { return core(s); }
+static inline Border part(const Plane& s) { return border(s); }
+static inline Border part(const HalfSpace& s) { return border(s); }
+static inline Core part(const Cylinder& s) { return core(s); }
+static inline Core part(const Cone& s) { return core(s); }
+static inline Core part(const Ellipsoid& s) { return core(s); }
+static inline Core part(const Hull& s) { return core(s); }
+
+template <class Shape> auto mover(const Shape& s, const Motion& m) { return mover(part(s), m); }
 
 } // namespace brink

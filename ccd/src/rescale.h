@@ -3,6 +3,7 @@
 
 #include "approach.h"
 #include "scaling.h"
+#include "support.h"
 #include "toi_query.h"
 #include "tolerance.h"
 
@@ -61,6 +62,10 @@ static inline double largest(const Triangle& s)
 }
 static inline double largest(const Plane& s) { return std::fabs(s.offset); }
 static inline double largest(const HalfSpace& s) { return std::fabs(s.offset); }
+static inline double largest(const Cylinder& s) { return std::max(s.half_length, s.radius); }
+static inline double largest(const Cone& s) { return std::max(s.half_length, s.radius); }
+static inline double largest(const Ellipsoid& s) { return largest(s.radii); }
+static inline double largest(const Hull& s) { return extent(core(s)); }
 static inline double largest(const Motion& m)
 {
     return std::max({largest(m.start.position), largest(m.translation), largest(m.pivot)});

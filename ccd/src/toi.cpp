@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace brink {
 
@@ -59,11 +60,6 @@ template <class A, class B> Toi hit(const Query& q, const Approach& m, const Ent
     const V3 point_a = origin + (at.core_a + radius_a * normal),
              point_b = origin + (at.core_a + (distance - radius_b) * normal);
     return {Status::hit, e.t, e.t_upper, store(normal), store(point_a), store(point_b), gap, 0};
-}
-
-template <class A, class B> Toi solve_by_advancing(const Query& q)
-{
-    return certified_advancement(mover(as<A>(q.a), q.motion_a), mover(as<B>(q.b), q.motion_b), q.options);
 }
 
 template <class A, class B> Toi hit_at(const Query& q, double t, double t_upper)
@@ -119,9 +115,13 @@ template <class A, class B, class Solve>
 
 template <class A, class B> Toi solve_turning(const Query& q)
 {
-    const int exponent = exponent_to_usual(as<A>(q.a), as<B>(q.b), q);
-    if (exponent != 0) return rescaled<A, B>(q, exponent, &solve_by_advancing<A, B>);
-    return solve_by_advancing<A, B>(q);
+    const A& a = as<A>(q.a);
+    const B& b = as<B>(q.b);
+    const int e = exponent_to_usual(a, b, q);
+    if (e == 0) return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options);
+    const auto near_1_a = mover(scaled(part(a), e), scaled(q.motion_a, e));
+    const auto near_1_b = mover(scaled(part(b), e), scaled(q.motion_b, e));
+    return scaled(certified_advancement(near_1_a, near_1_b, scaled(q.options, e)), -e);
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
@@ -193,11 +193,14 @@ template <class T, class... Ts> constexpr std::size_t index_in(const std::varian
 }
 template <class T> constexpr std::size_t index_of = index_in<T>(static_cast<const Shape*>(nullptr));
 
+template <class S> constexpr bool has_border = std::is_same_v<decltype(part(std::declval<S>())), Border>;
+
 /// Certified advancement is always asked in the table's order, so that swapping the sides changes nothing
-/// else.
+/// else; a plane or half-space comes second.
 template <class A, class B> constexpr Cell<A, B> advancing()
 {
-    if constexpr (index_of < A >> index_of<B>)
+    constexpr bool late = index_of<B> < index_of<A>;
+    if constexpr (has_border<A> || (late && !has_border<B>))
         return {&swapped<&solve<B, A>>, Method::advancement};
     else
         return {&solve<A, B>, Method::advancement};
@@ -217,16 +220,24 @@ using X = Box;
 using T = Triangle;
 using P = Plane;
 using H = HalfSpace;
+using Y = Cylinder;
+using N = Cone;
+using E = Ellipsoid;
+using U = Hull;
 
 // clang-format off
 constexpr std::array table{
-    //     Sphere                   Capsule                    Box                 Triangle               Plane                  HalfSpace
-    row<S>(exact<sphere_sphere>,    exact<sphere_capsule>,     exact<sphere_box>,  exact<sphere_triangle>, exact<sphere_plane>,  exact<sphere_half_space>),
-    row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,    advance<C, X>,      advance<C, T>,          exact<capsule_plane>, exact<capsule_half_space>),
-    row<X>(flip<sphere_box>,        advance<X, C>,             advance<X, X>,      advance<X, T>,          advance<X, P>,        advance<X, H>),
-    row<T>(flip<sphere_triangle>,   advance<T, C>,             advance<T, X>,      advance<T, T>,          advance<T, P>,        advance<T, H>),
-    row<P>(flip<sphere_plane>,      flip<capsule_plane>,       advance<P, X>,      advance<P, T>,          never<P, P>,          never<P, H>),
-    row<H>(flip<sphere_half_space>, flip<capsule_half_space>,  advance<H, X>,      advance<H, T>,          never<H, P>,          never<H, H>),
+    //     Sphere                   Capsule                   Box                Triangle                Plane                 HalfSpace                  Cylinder       Cone           Ellipsoid      Hull
+    row<S>(exact<sphere_sphere>,    exact<sphere_capsule>,    exact<sphere_box>, exact<sphere_triangle>, exact<sphere_plane>,  exact<sphere_half_space>,  advance<S, Y>, advance<S, N>, advance<S, E>, advance<S, U>),
+    row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,   advance<C, X>,     advance<C, T>,          exact<capsule_plane>, exact<capsule_half_space>, advance<C, Y>, advance<C, N>, advance<C, E>, advance<C, U>),
+    row<X>(flip<sphere_box>,        advance<X, C>,            advance<X, X>,     advance<X, T>,          advance<X, P>,        advance<X, H>,             advance<X, Y>, advance<X, N>, advance<X, E>, advance<X, U>),
+    row<T>(flip<sphere_triangle>,   advance<T, C>,            advance<T, X>,     advance<T, T>,          advance<T, P>,        advance<T, H>,             advance<T, Y>, advance<T, N>, advance<T, E>, advance<T, U>),
+    row<P>(flip<sphere_plane>,      flip<capsule_plane>,      advance<P, X>,     advance<P, T>,          never<P, P>,          never<P, H>,               advance<P, Y>, advance<P, N>, advance<P, E>, advance<P, U>),
+    row<H>(flip<sphere_half_space>, flip<capsule_half_space>, advance<H, X>,     advance<H, T>,          never<H, P>,          never<H, H>,               advance<H, Y>, advance<H, N>, advance<H, E>, advance<H, U>),
+    row<Y>(advance<Y, S>,           advance<Y, C>,            advance<Y, X>,     advance<Y, T>,          advance<Y, P>,        advance<Y, H>,             advance<Y, Y>, advance<Y, N>, advance<Y, E>, advance<Y, U>),
+    row<N>(advance<N, S>,           advance<N, C>,            advance<N, X>,     advance<N, T>,          advance<N, P>,        advance<N, H>,             advance<N, Y>, advance<N, N>, advance<N, E>, advance<N, U>),
+    row<E>(advance<E, S>,           advance<E, C>,            advance<E, X>,     advance<E, T>,          advance<E, P>,        advance<E, H>,             advance<E, Y>, advance<E, N>, advance<E, E>, advance<E, U>),
+    row<U>(advance<U, S>,           advance<U, C>,            advance<U, X>,     advance<U, T>,          advance<U, P>,        advance<U, H>,             advance<U, Y>, advance<U, N>, advance<U, E>, advance<U, U>),
 };
 // clang-format on
 static_assert(table.size() == std::variant_size_v<Shape>);

@@ -7,14 +7,14 @@
 
 namespace brink {
 
-/// A valid shape at a pose, seen from `origin` with the world's axes, every length multiplied by `factor` (a
-/// power of two). Differences first: a common offset of two bodies costs nothing.
+/// A valid shape at a pose, seen from `origin` with the world's axes, in lengths times 2^exponent.
+/// Differences first: a common offset of two bodies costs nothing.
 struct Body {
     bool bounded = true;
     Core core;     // if bounded
     Border border; // if not
 };
-Body body(const Shape&, const Pose&, V3 origin, double factor = 1);
+Body body(const Shape&, const Pose&, V3 origin, int exponent = 0);
 
 /// How far apart two valid shapes are, in the world. Nothing where both are unbounded.
 std::optional<Separation> separation(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b);

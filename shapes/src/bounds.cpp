@@ -69,16 +69,24 @@ Interval widened(Interval i, double by) { return {sum_down(i.low, -by), sum_up(i
 
 Aabb box(Interval x, Interval y, Interval z) { return {{x.low, y.low, z.low}, {x.high, y.high, z.high}}; }
 
+/// The largest sum of a point's coordinates without their signs.
+double sum_of_coordinates(const Core& local)
+{
+    const V3 h = local.half_extents;
+    if (local.kind == Core::Kind::hull) return local.hull->reach * local.axes.x.x;
+    if (local.kind >= Core::Kind::box) return h.x + h.y + h.z;
+    double most = 0;
+    for (int k = 0; k < local.count; ++k)
+        most = std::max(most, sum_of_magnitudes(local.points[k]));
+    return most;
+}
+
 Aabb bounds(const Core& local, const Turn& t, V3 position)
 {
-    double reach = 0;
-    for (int k = 0; k < local.count; ++k) {
-        const V3 p = local.points[k];
-        reach = std::max(reach, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
-    }
+    const double error = t.error * sum_of_coordinates(local);
     const Core turned = placed(local, t.rotation, {});
     const auto along = [&](V3 axis, double offset) {
-        return shifted(widened(widened(interval(turned, axis), t.error * reach), local.radius), offset);
+        return shifted(widened(widened(interval(turned, axis), error), local.radius), offset);
     };
     return box(along({1, 0, 0}, position.x), along({0, 1, 0}, position.y), along({0, 0, 1}, position.z));
 }
@@ -118,6 +126,10 @@ Aabb bounds(const Shape& shape, const Pose& pose)
     if (const auto* s = std::get_if<Plane>(&shape)) return bounds(load(s->normal), s->offset, false, t, at);
     if (const auto* s = std::get_if<HalfSpace>(&shape))
         return bounds(load(s->normal), s->offset, true, t, at);
+    if (const auto* s = std::get_if<Cylinder>(&shape)) return bounds(core(*s), t, at);
+    if (const auto* s = std::get_if<Cone>(&shape)) return bounds(core(*s), t, at);
+    if (const auto* s = std::get_if<Ellipsoid>(&shape)) return bounds(core(*s), t, at);
+    if (const auto* s = std::get_if<Hull>(&shape)) return bounds(core(*s), t, at);
     return box(all, all, all);
 }
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core.h"
 
+#include "hull_data.h"
+#include "scaling.h"
+
 namespace brink {
 
 namespace {
 
-void place_corners(Core& box)
+/// A core that is where its centre and axes are.
+Core solid(Core::Kind kind, int count, V3 half_extents)
 {
-    const V3 x = box.half_extents.x * box.axes.x;
-    const V3 y = box.half_extents.y * box.axes.y;
-    const V3 z = box.half_extents.z * box.axes.z;
-    const V3 left = box.centre - x, right = box.centre + x;
-    const V3 sides[4] = {left - y, right - y, left + y, right + y};
-    for (int k = 0; k < 4; ++k) {
-        box.points[k] = sides[k] - z;
-        box.points[k + 4] = sides[k] + z;
-    }
+    Core c;
+    c.kind = kind;
+    c.count = count;
+    c.half_extents = half_extents;
+    return c;
 }
 
 /// The border with its normal made a unit vector, which leaves the set as it is.
@@ -45,15 +45,7 @@ Core core(const Capsule& capsule)
     return c;
 }
 
-Core core(const Box& box)
-{
-    Core c;
-    c.kind = Core::Kind::box;
-    c.count = 8;
-    c.half_extents = load(box.half_extents);
-    place_corners(c);
-    return c;
-}
+Core core(const Box& box) { return solid(Core::Kind::box, 8, load(box.half_extents)); }
 
 Core core(const Triangle& triangle)
 {
@@ -66,26 +58,57 @@ Core core(const Triangle& triangle)
     return c;
 }
 
-Core placed(const Core& local, const Rotation& rotation, V3 position)
+Core core(const Cylinder& c) { return solid(Core::Kind::cylinder, 0, {c.radius, c.radius, c.half_length}); }
+Core core(const Cone& c) { return solid(Core::Kind::cone, 0, {c.radius, c.radius, c.half_length}); }
+Core core(const Ellipsoid& e) { return solid(Core::Kind::ellipsoid, 0, load(e.radii)); }
+
+Core core(const Hull& hull)
 {
     Core c;
-    c.kind = local.kind;
-    c.count = local.count;
-    c.radius = local.radius;
-    if (local.kind == Core::Kind::box) {
-        c.centre = rotation * local.centre + position;
-        c.half_extents = local.half_extents;
-        c.axes = rotation * local.axes;
-        place_corners(c);
+    if (hull.data() == nullptr) return c;
+    const HullData& data = *hull.data();
+    const double unit = std::ldexp(1, data.exponent);
+    c.count = data.count();
+    if (c.count <= 3) {
+        constexpr Core::Kind kinds[] = {Core::Kind::point, Core::Kind::segment, Core::Kind::triangle};
+        c.kind = kinds[c.count - 1];
+        for (int k = 0; k < c.count; ++k)
+            c.points[k] = load(data.vertices[static_cast<std::size_t>(k)]);
         return c;
     }
+    c.kind = Core::Kind::hull;
+    c.axes = {{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}};
+    c.hull = &data;
+    return c;
+}
+
+Core placed(const Core& local, const Rotation& rotation, V3 position)
+{
+    Core c = local;
     // A sphere about its origin: its orientation was never looked at, and may be anything.
     if (local.kind == Core::Kind::point && local.points[0] == V3{}) {
         c.points[0] = position;
-        return c;
+    } else if (local.kind <= Core::Kind::triangle) {
+        for (int k = 0; k < local.count; ++k)
+            c.points[k] = rotation * local.points[k] + position;
+    } else {
+        c.centre = rotation * local.centre + position;
+        c.axes = rotation * local.axes;
     }
-    for (int k = 0; k < local.count; ++k)
-        c.points[k] = rotation * local.points[k] + position;
+    return c;
+}
+
+Core scaled(const Core& core, int exponent)
+{
+    if (exponent == 0) return core;
+    Core c = core;
+    for (V3& point : c.points)
+        point = scaled(point, exponent);
+    c.radius = std::ldexp(c.radius, exponent);
+    c.centre = scaled(c.centre, exponent);
+    c.half_extents = scaled(c.half_extents, exponent);
+    if (c.kind == Core::Kind::hull)
+        c.axes = {scaled(c.axes.x, exponent), scaled(c.axes.y, exponent), scaled(c.axes.z, exponent)};
     return c;
 }
 
@@ -96,6 +119,11 @@ Border placed(const Border& local, const Rotation& rotation, V3 position)
 {
     const V3 normal = rotation * local.normal;
     return {normal, local.offset + dot(normal, position), local.solid};
+}
+
+Border scaled(const Border& border, int exponent)
+{
+    return {border.normal, std::ldexp(border.offset, exponent), border.solid};
 }
 
 } // namespace brink

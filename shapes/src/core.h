@@ -7,17 +7,20 @@
 
 namespace brink {
 
-/// A bounded shape as the solvers see it: a core (a point, a segment, a triangle or a box) and the radius
-/// that is grown around it, placed in some common frame. Radii only ever appear as a sum.
+/// A bounded shape as the solvers see it: a core and the radius that is grown around it, placed in some
+/// common frame. Radii only ever appear as a sum.
 struct Core {
-    enum class Kind : unsigned char { point, segment, triangle, box };
+    enum class Kind : unsigned char { point, segment, triangle, box, hull, cylinder, cone, ellipsoid };
     Kind kind = Kind::point;
-    int count = 1; // points
-    V3 points[8];  // corners; box: corner k has +x where k & 1, +y where k & 2, +z where k & 4, else -
+    int count = 1; // corners; 0 where there is no end of them: cylinder, cone and ellipsoid
+    V3 points[3];  // the corners of a point, segment or triangle
     double radius = 0;
-    // Boxes only: where it is flat its corners no longer tell its axes.
+    // Where the others are. A cylinder's and a cone's half extents are {radius, radius, half length}, with z
+    // along their axis; an ellipsoid's are its radii. A hull's corners are axes * local corner + centre, the
+    // axes times a power of two, its unit of length.
     V3 centre, half_extents;
     Rotation axes;
+    const HullData* hull = nullptr;
 };
 
 /// The core of a bounded shape in its local frame. Not for Plane and HalfSpace.
@@ -25,9 +28,17 @@ Core core(const Sphere&);
 Core core(const Capsule&);
 Core core(const Box&);
 Core core(const Triangle&);
+Core core(const Cylinder&);
+Core core(const Cone&);
+Core core(const Ellipsoid&);
+/// The hull must outlive it. That of fewer than four points is a point, a segment or a triangle.
+Core core(const Hull&);
 
 /// The same core, turned about the origin and then shifted.
 Core placed(const Core&, const Rotation&, V3 position);
+
+/// The same core in lengths times 2^exponent.
+Core scaled(const Core&, int exponent);
 
 /// A plane or half-space in some common frame: normal . x = offset, or <=. The normal is a unit vector.
 struct Border {
@@ -39,6 +50,7 @@ struct Border {
 Border border(const Plane&);
 Border border(const HalfSpace&);
 Border placed(const Border&, const Rotation&, V3 position);
+Border scaled(const Border&, int exponent);
 
 /// How far apart two placed shapes are, radii included, as certified as doubles allow.
 struct Separation {

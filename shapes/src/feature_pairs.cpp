@@ -2,6 +2,7 @@
 #include "feature_pairs.h"
 
 #include "nearest.h"
+#include "support.h"
 
 #include <algorithm>
 #include <span>
@@ -27,10 +28,9 @@ std::span<const Edge> edges(Core::Kind kind)
         return triangle_edges;
     case Core::Kind::segment:
         return segment_edges;
-    case Core::Kind::point:
-        break;
+    default:
+        return {};
     }
-    return {};
 }
 
 /// From a point to its nearest of a core; zero inside.
@@ -44,10 +44,9 @@ V3 to_core(V3 point, const Core& c)
         return to_triangle(p, q, r);
     case Core::Kind::box:
         return c.axes * to_box(into(c.axes, point - c.centre), c.half_extents);
-    case Core::Kind::point:
-        break;
+    default:
+        return p;
     }
-    return p;
 }
 
 bool has(const Patch& p, int corner) { return (p.corners >> corner & 1U) != 0; }
@@ -62,10 +61,10 @@ NearestPair nearest_edges(const Patch& a, const Patch& b, NearestPair best)
 {
     for (const Edge e : edges(a.core.kind)) {
         if (!has(a, e.from) || !has(a, e.to)) continue;
-        const V3 p = a.core.points[e.from], d = a.core.points[e.to] - p;
+        const V3 p = corner(a.core, e.from), d = corner(a.core, e.to) - p;
         for (const Edge f : edges(b.core.kind)) {
             if (!has(b, f.from) || !has(b, f.to)) continue;
-            const V3 q = b.core.points[f.from], g = b.core.points[f.to] - q, r = q - p;
+            const V3 q = corner(b.core, f.from), g = corner(b.core, f.to) - q, r = q - p;
             const auto [s, t] = nearest_parameters(r, d, g);
             best = nearer(best, p + s * d, r + t * g - s * d);
         }
@@ -78,12 +77,15 @@ NearestPair nearest_edges(const Patch& a, const Patch& b, NearestPair best)
 NearestPair nearest_features(const Patch& a, const Patch& b)
 {
     NearestPair best;
-    for (int k = 0; k < a.core.count; ++k)
-        if (has(a, k)) best = nearer(best, a.core.points[k], to_core(a.core.points[k], b.core));
+    for (int k = 0; k < a.core.count; ++k) {
+        if (!has(a, k)) continue;
+        const V3 point = corner(a.core, k);
+        best = nearer(best, point, to_core(point, b.core));
+    }
     for (int k = 0; k < b.core.count; ++k) {
         if (!has(b, k)) continue;
-        const V3 v = to_core(b.core.points[k], a.core);
-        best = nearer(best, b.core.points[k] + v, -v);
+        const V3 point = corner(b.core, k), v = to_core(point, a.core);
+        best = nearer(best, point + v, -v);
     }
     return nearest_edges(a, b, best);
 }

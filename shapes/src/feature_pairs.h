@@ -11,7 +11,8 @@ struct NearestPair {
     V3 point_a, v;
 };
 
-/// A core and those of its corners that are asked about, a bit each. An edge counts when both its ends do.
+/// A core of at most eight corners and those of them that are asked about, a bit each. An edge counts when
+/// both its ends do.
 struct Patch {
     const Core& core;
     unsigned corners = ~0U;

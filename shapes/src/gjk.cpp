@@ -14,17 +14,15 @@ constexpr int most_rounds = 64;
 
 Simplex::Corner corner_towards_origin(const Core& a, const Core& b, V3 v)
 {
-    const int in_a = farthest(a, v), in_b = farthest(b, -v);
-    return {b.points[in_b] - a.points[in_a], in_a, in_b, 1};
+    const SupportPoint on_a = farthest(a, v), on_b = farthest(b, -v);
+    return {on_b.point - on_a.point, on_a.point, on_a.corner, on_b.corner, 1};
 }
 
-V3 middle(const Core& c) { return c.kind == Core::Kind::box ? c.centre : c.points[0]; }
-
-V3 witness(const Core& a, const Simplex& s)
+V3 witness(const Simplex& s)
 {
-    V3 p = s.corners[0].weight * a.points[s.corners[0].in_a];
+    V3 p = s.corners[0].weight * s.corners[0].on_a;
     for (int k = 1; k < s.size; ++k)
-        p = p + s.corners[k].weight * a.points[s.corners[k].in_a];
+        p = p + s.corners[k].weight * s.corners[k].on_a;
     return p;
 }
 
@@ -43,9 +41,10 @@ struct Feature {
 /// The direction that the features at the two ends of v ask for: v itself is rounding noise when it is short.
 V3 feature_normal(const Core& a, const Core& b, const Simplex& s, V3 v)
 {
+    if (!is_polytope(a) || !is_polytope(b)) return v;
     Feature of_a, of_b;
     for (int k = 0; k < s.size; ++k)
-        of_a.add(a.points[s.corners[k].in_a]), of_b.add(b.points[s.corners[k].in_b]);
+        of_a.add(corner(a, s.corners[k].in_a)), of_b.add(corner(b, s.corners[k].in_b));
     if (of_a.count >= 3) return face_normal(of_a.points[0], of_a.points[1], of_a.points[2]);
     if (of_b.count >= 3) return face_normal(of_b.points[0], of_b.points[1], of_b.points[2]);
     if (of_a.count == 2 && of_b.count == 2) {
@@ -81,16 +80,16 @@ Closest gjk(const Core& a, const Core& b, double slack)
         if (!(distance > slack)) break;
         const Simplex::Corner corner = corner_towards_origin(a, b, v);
         const double lower = dot(v, corner.w) / distance;
-        if (distance - lower <= slack) return {true, witness(a, simplex), v, (1 / distance) * v, lower};
-        if (simplex.contains(corner.in_a, corner.in_b)) break;
+        if (distance - lower <= slack) return {true, witness(simplex), v, (1 / distance) * v, lower};
+        if (simplex.contains(corner)) break;
         const Simplex next = simplex.with(corner).reduced();
-        if (next.size == 4) return {false, witness(a, simplex), v, {}, 0};
+        if (next.size == 4) return {false, witness(simplex), v, {}, 0};
         const V3 next_v = next.point();
         if (!(norm_squared(next_v) < square)) break;
         simplex = next;
         v = next_v;
     }
-    const Closest found{false, witness(a, simplex), v, {}, 0};
+    const Closest found{false, witness(simplex), v, {}, 0};
     return confirmed(a, b, found, feature_normal(a, b, simplex, v), slack);
 }
 

@@ -19,7 +19,7 @@ Patch touched(const Core& c, V3 n, double height, double slack)
 {
     unsigned corners = 0;
     for (int k = 0; k < c.count; ++k)
-        if (std::fabs(dot(c.points[k], n) - height) <= slack) corners |= 1U << k;
+        if (std::fabs(dot(corner(c, k), n) - height) <= slack) corners |= 1U << k;
     return {c, corners};
 }
 
@@ -91,6 +91,17 @@ Separation by_features(const Core& a, const Core& b, const Axis& axis, double sl
             pair.point_a + pair.v};
 }
 
+/// Cores of many corners or none, of which GJK was not certain.
+Separation by_support(const Core& a, const Core& b, const Closest& c)
+{
+    Axis best = along(a, b, c.v);
+    for (const V3 n : {middle(b) - middle(a), V3{1, 0, 0}, V3{0, 1, 0}, V3{0, 0, 1}})
+        for (const Axis& axis : {along(a, b, n), along(a, b, -n)})
+            if (axis.gap > best.gap) best = axis;
+    if (best.gap > 0) return {best.gap, norm(c.v), best.normal, c.point_a, c.point_a + c.v};
+    return {best.gap, best.gap, best.normal, c.point_a, c.point_a + best.gap * best.normal};
+}
+
 } // namespace
 
 Separation polytope_separation(const Core& a, const Core& b)
@@ -99,6 +110,7 @@ Separation polytope_separation(const Core& a, const Core& b)
     const Closest c = gjk(a, b, slack);
     if (c.certain)
         return {c.lower, certified(norm(c.v), c.lower, slack), c.normal, c.point_a, c.point_a + c.v};
+    if (!is_simple(a) || !is_simple(b)) return by_support(a, b, c);
     const Axis axis = separating_axis(a, b);
     if (axis.gap < -slack) return overlapping(a, b, axis, slack);
     return by_features(a, b, axis, slack);

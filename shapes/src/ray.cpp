@@ -151,7 +151,7 @@ Question question(V3 origin, V3 direction, const Shape& shape, const Pose& pose)
     const V3 o = scaled(origin, -2) - scaled(at, -2); // a quarter, lest the difference overflow
     const int f = exponent(largest_coordinate(direction));
     const int e = std::max(least_exponent, std::max(exponent(largest_coordinate(o)) + 2, exponent(size)));
-    return {{scaled(o, 2 - e), scaled(direction, -f)}, body(shape, pose, at, std::ldexp(1, -e)), e, f};
+    return {{scaled(o, 2 - e), scaled(direction, -f)}, body(shape, pose, at, -e), e, f};
 }
 
 /// The origin's place in the shape: how far inside, and the way out.

@@ -21,7 +21,10 @@ static inline int exponent(double x)
     return e;
 }
 
-static inline V3 scaled(V3 v, int e) { return {std::ldexp(v.x, e), std::ldexp(v.y, e), std::ldexp(v.z, e)}; }
+static inline V3 scaled(V3 v, int e)
+{
+    return e == 0 ? v : V3{std::ldexp(v.x, e), std::ldexp(v.y, e), std::ldexp(v.z, e)};
+}
 
 /// A vector of the same direction whose largest coordinate lies between 1/2 and 1; zero for zero.
 static inline V3 mantissa(V3 v) { return scaled(v, -exponent(largest_coordinate(v))); }

@@ -16,15 +16,6 @@ bool in_range(double square)
     return square > tolerance::least_square && square < tolerance::largest_square;
 }
 
-Core scaled(Core c, int e)
-{
-    for (int k = 0; k < c.count; ++k)
-        c.points[k] = scaled(c.points[k], e);
-    c.centre = scaled(c.centre, e);
-    c.half_extents = scaled(c.half_extents, e);
-    return c;
-}
-
 Separation scaled(const Separation& s, int e)
 {
     return {std::ldexp(s.lower, e), std::ldexp(s.gap, e), s.normal, scaled(s.point_a, e),
@@ -145,11 +136,30 @@ Separation core_separation(const Core& a, const Core& b)
             return point_triangle(a, b);
         case box:
             return point_box(a, b);
+        default:
+            break;
         }
-    }
-    if (b.kind == point) return flipped(core_separation(b, a));
+    } else if (b.kind == point)
+        return flipped(core_separation(b, a));
     if (a.kind == segment && b.kind == segment) return segment_segment(a, b);
     return the_long_way(a, b);
+}
+
+struct Extremes {
+    V3 lowest, highest;
+};
+
+/// The points of a core that lie lowest and highest along n.
+Extremes extremes(const Core& c, V3 n)
+{
+    if (!is_simple(c)) return {farthest(c, -n).point, farthest(c, n).point};
+    Extremes e{corner(c, 0), corner(c, 0)};
+    for (int k = 1; k < c.count; ++k) {
+        const V3 point = corner(c, k);
+        if (dot(n, point) < dot(n, e.lowest)) e.lowest = point;
+        if (dot(n, point) > dot(n, e.highest)) e.highest = point;
+    }
+    return e;
 }
 
 } // namespace
@@ -161,18 +171,13 @@ Separation separation(const Core& a, const Core& b)
 
 Separation separation(const Core& a, const Border& b)
 {
-    int lowest = 0, highest = 0;
-    double low = dot(b.normal, a.points[0]), high = low;
-    for (int k = 1; k < a.count; ++k) {
-        const double height = dot(b.normal, a.points[k]);
-        if (height < low) low = height, lowest = k;
-        if (height > high) high = height, highest = k;
-    }
+    const auto [lowest, highest] = extremes(a, b.normal);
+    const double low = dot(b.normal, lowest), high = dot(b.normal, highest);
     const double above = (low - b.offset) - a.radius, below = (b.offset - high) - a.radius;
     const bool from_above = b.solid || above >= below;
     const double gap = from_above ? above : below;
     const V3 normal = from_above ? -b.normal : b.normal;
-    const V3 point = a.points[from_above ? lowest : highest] + a.radius * normal;
+    const V3 point = (from_above ? lowest : highest) + a.radius * normal;
     return {gap, gap, normal, point, point + gap * normal};
 }
 

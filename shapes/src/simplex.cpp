@@ -84,10 +84,13 @@ V3 Simplex::point() const
     return p;
 }
 
-bool Simplex::contains(int in_a, int in_b) const
+bool Simplex::contains(const Corner& corner) const
 {
-    for (int k = 0; k < size; ++k)
-        if (corners[k].in_a == in_a && corners[k].in_b == in_b) return true;
+    const bool by_place = corner.in_a < 0 || corner.in_b < 0;
+    for (int k = 0; k < size; ++k) {
+        const Corner& c = corners[k];
+        if (by_place ? c.w == corner.w : c.in_a == corner.in_a && c.in_b == corner.in_b) return true;
+    }
     return false;
 }
 

@@ -10,8 +10,9 @@ namespace brink {
 /// whatever rounding did.
 struct Simplex {
     struct Corner {
-        V3 w; // b.points[in_b] - a.points[in_a]
-        int in_a = 0, in_b = 0;
+        V3 w;                     // the point of B less that of A
+        V3 on_a;                  // the latter
+        int in_a = -1, in_b = -1; // which corners they are, if any
         double weight = 0;
     };
     int size = 0;
@@ -19,7 +20,7 @@ struct Simplex {
 
     /// The point that the weights stand for.
     [[nodiscard]] V3 point() const;
-    [[nodiscard]] bool contains(int in_a, int in_b) const;
+    [[nodiscard]] bool contains(const Corner&) const;
     /// One corner more; fewer than four before.
     [[nodiscard]] Simplex with(const Corner&) const;
     /// The same hull's nearest point to the origin, and only the corners that it needs: four only where the

@@ -38,6 +38,15 @@ static inline bool valid(const HalfSpace& s)
 {
     return is_unit_square(norm_squared(load(s.normal))) && s.offset * 0 == 0;
 }
+static inline bool valid(const Cylinder& s) { return is_size(s.half_length) && is_size(s.radius); }
+static inline bool valid(const Cone& s) { return is_size(s.half_length) && is_size(s.radius); }
+static inline bool valid(const Ellipsoid& s)
+{
+    const V3 r = load(s.radii);
+    return is_size(r.x) && is_size(r.y) && is_size(r.z);
+}
+/// Its points were looked at when it was made.
+static inline bool valid(const Hull&) { return true; }
 static inline bool valid(const Quat& q)
 {
     const double* c = q.coeffs().data();
@@ -56,7 +65,10 @@ static inline bool valid(const Shape& shape, const Pose& pose)
     if (const auto* s = std::get_if<Triangle>(&shape)) return valid(*s);
     if (const auto* s = std::get_if<Plane>(&shape)) return valid(*s);
     if (const auto* s = std::get_if<HalfSpace>(&shape)) return valid(*s);
-    return false;
+    if (const auto* s = std::get_if<Cylinder>(&shape)) return valid(*s);
+    if (const auto* s = std::get_if<Cone>(&shape)) return valid(*s);
+    if (const auto* s = std::get_if<Ellipsoid>(&shape)) return valid(*s);
+    return std::holds_alternative<Hull>(shape);
 }
 
 } // namespace brink

@@ -2,6 +2,7 @@
 #include "draw.h"
 
 #include <array>
+#include <vector>
 
 namespace brink::support {
 namespace {
@@ -111,6 +112,45 @@ Shape draw_triangle(Random& random, ShapeStyle style)
     return Triangle{a, b, c};
 }
 
+Shape draw_round(Random& random, std::size_t kind, ShapeStyle style)
+{
+    const bool whole = style == ShapeStyle::integer;
+    const double half_length = whole ? quarters(random, 6) : draw_size(random);
+    const double radius = whole ? quarters(random, 6) : draw_size(random);
+    if (kind == 6) return Cylinder{half_length, radius};
+    if (kind == 7) return Cone{half_length, radius};
+    const double z = whole ? quarters(random, 6) : draw_size(random);
+    return Ellipsoid{Vec3(half_length, radius, z)};
+}
+
+/// What a point of a hull is drawn from.
+enum class Cloud : unsigned char { ball, sphere, grid, flat, line, needle };
+
+Vec3 draw_in_cloud(Random& random, Cloud cloud)
+{
+    Vec3 p = random.in_cube(1);
+    if (cloud == Cloud::sphere) return random.unit();
+    if (cloud == Cloud::grid) return draw_integers(random, 4);
+    if (cloud == Cloud::flat) p.z() = 0.25;
+    if (cloud == Cloud::line) p = Vec3(p.x(), p.x(), p.x());
+    if (cloud == Cloud::needle) p = Vec3(p.x(), 1e-5 * p.y(), 1e-5 * p.z());
+    return p;
+}
+
+Shape draw_hull(Random& random, ShapeStyle style)
+{
+    constexpr std::array<int, 8> counts{1, 2, 3, 4, 5, 12, 40, 150};
+    const int count = counts[static_cast<std::size_t>(random.index(static_cast<int>(counts.size())))];
+    const auto any = static_cast<Cloud>(random.index(6));
+    const bool thin = random.chance(0.5);
+    Cloud cloud = any >= Cloud::flat && thin ? Cloud::ball : any;
+    if (style == ShapeStyle::integer) cloud = Cloud::grid;
+    std::vector<Vec3> points;
+    for (int i = 0; i < count; ++i)
+        points.push_back(draw_in_cloud(random, cloud));
+    return Hull::from_points(points);
+}
+
 } // namespace
 
 Vec3 draw_integers(Random& random, int n)
@@ -127,6 +167,8 @@ Shape draw_shape(Random& random, std::size_t kind, ShapeStyle style)
     if (kind == 1) return draw_capsule(random, style);
     if (kind == 2) return draw_box(random, style);
     if (kind == 3) return draw_triangle(random, style);
+    if (kind >= 6 && kind < 9) return draw_round(random, kind, style);
+    if (kind == 9) return draw_hull(random, style);
     const Vec3 normal = draw_normal(random, style);
     const double offset = style == ShapeStyle::integer ? draw_integers(random, 8).x() : random.between(-1, 1);
     if (kind == 4) return Plane{normal, offset};
@@ -143,6 +185,10 @@ Shape small_shape(Random& random, std::size_t kind)
     if (kind == 1) return Capsule{a, b, 0.5 * size};
     if (kind == 2) return Box{a.cwiseAbs()};
     if (kind == 3) return Triangle{a, b, c};
+    if (kind == 6) return Cylinder{size, 0.5 * size};
+    if (kind == 7) return Cone{size, 0.5 * size};
+    if (kind == 8) return Ellipsoid{a.cwiseAbs()};
+    if (kind == 9) return Hull::from_points(std::array<Vec3, 4>{a, b, c, Vec3(size, 0, 0)});
     return draw_shape(random, kind, ShapeStyle::any);
 }
 

@@ -54,6 +54,15 @@ Geometry make(const Plane& p) { return {std::make_shared<fcl::Planed>(p.normal, 
 
 Geometry make(const HalfSpace& h) { return {std::make_shared<fcl::Halfspaced>(h.normal, h.offset)}; }
 
+Geometry make(const Cylinder& s) { return {std::make_shared<fcl::Cylinderd>(s.radius, 2 * s.half_length)}; }
+
+Geometry make(const Cone& s) { return {std::make_shared<fcl::Coned>(s.radius, 2 * s.half_length)}; }
+
+Geometry make(const Ellipsoid& s) { return {std::make_shared<fcl::Ellipsoidd>(s.radii)}; }
+
+/// Not asked: a Convex needs faces, which a Hull does not tell.
+Geometry make(const Hull&) { return {std::make_shared<fcl::Sphered>(0)}; }
+
 fcl::Transform3d placed(const Geometry& geometry, const Pose& pose)
 {
     fcl::Transform3d world = fcl::Transform3d::Identity();
@@ -99,6 +108,7 @@ FclBody::FclBody(const Shape& shape)
 
 bool fcl_trusts(FclQuestion question, const Shape& a, const Shape& b)
 {
+    if (std::holds_alternative<Hull>(a) || std::holds_alternative<Hull>(b)) return false;
     const Kind kind_a = kind(a);
     const Kind kind_b = kind(b);
     if (kind_a == Kind::solid && kind_b == Kind::solid) return true;

@@ -36,6 +36,15 @@ public:
     Hash& operator<<(const Triangle& s) { return *this << s.a << s.b << s.c; }
     Hash& operator<<(const Plane& s) { return *this << s.normal << s.offset; }
     Hash& operator<<(const HalfSpace& s) { return *this << s.normal << s.offset; }
+    Hash& operator<<(const Cylinder& s) { return *this << s.half_length << s.radius; }
+    Hash& operator<<(const Cone& s) { return *this << s.half_length << s.radius; }
+    Hash& operator<<(const Ellipsoid& s) { return *this << s.radii; }
+    Hash& operator<<(const Hull& s)
+    {
+        for (const Vec3& p : s.vertices())
+            *this << p;
+        return *this << std::uint64_t{s.vertices().size()};
+    }
     Hash& operator<<(const Shape& shape)
     {
         *this << std::uint64_t{shape.index()};

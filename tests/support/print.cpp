@@ -48,6 +48,23 @@ std::string hex(const HalfSpace& s)
     return fmt::format("HalfSpace{{{}, {}}}", hex(s.normal), hex(s.offset));
 }
 
+std::string hex(const Cylinder& s)
+{
+    return fmt::format("Cylinder{{{}, {}}}", hex(s.half_length), hex(s.radius));
+}
+
+std::string hex(const Cone& s) { return fmt::format("Cone{{{}, {}}}", hex(s.half_length), hex(s.radius)); }
+
+std::string hex(const Ellipsoid& s) { return fmt::format("Ellipsoid{{{}}}", hex(s.radii)); }
+
+std::string hex(const Hull& s)
+{
+    std::string points;
+    for (const Vec3& p : s.vertices())
+        points += (points.empty() ? "" : ", ") + hex(p);
+    return fmt::format("Hull::from_points(std::vector<Vec3>{{{}}})", points);
+}
+
 std::string hex(const Shape& shape)
 {
     return std::visit([](const auto& s) { return hex(s); }, shape);

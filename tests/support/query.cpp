@@ -118,18 +118,24 @@ std::string Pair::name() const
     return std::string(shape_names[first]) + "-" + std::string(shape_names[second]);
 }
 
-bool Pair::unbounded() const { return first >= 4; }
+namespace {
+
+bool is_border(std::size_t shape) { return shape == 4 || shape == 5; }
+
+} // namespace
+
+bool Pair::unbounded() const { return is_border(first) && is_border(second); }
 
 bool Pair::closed_form() const
 {
-    return !unbounded() && (first == 0 || (first == 1 && (second == 1 || second >= 4)));
+    return (first == 0 && second < 6) || (first == 1 && (second == 1 || is_border(second)));
 }
 
 std::vector<Pair> all_pairs()
 {
     std::vector<Pair> pairs;
-    for (std::size_t i = 0; i < shape_names.size(); ++i)
-        for (std::size_t j = i; j < shape_names.size(); ++j)
+    for (std::size_t i = 0; i < judged_shapes; ++i)
+        for (std::size_t j = i; j < judged_shapes; ++j)
             pairs.push_back({i, j});
     return pairs;
 }

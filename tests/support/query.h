@@ -23,9 +23,12 @@ struct Query {
 
 Toi answer(const Query&);
 
-/// The shape names in the order of the Shape variant: sphere, capsule, box, triangle, plane, half_space.
+/// The shape names in the order of the Shape variant.
 inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_names{
-    "sphere", "capsule", "box", "triangle", "plane", "half_space"};
+    "sphere", "capsule", "box", "triangle", "plane", "half_space", "cylinder", "cone", "ellipsoid", "hull"};
+
+/// The first so many shapes are those that the reference and the referee know.
+inline constexpr std::size_t judged_shapes = 6;
 
 /// Two shapes by their index in the variant, first <= second.
 struct Pair {
@@ -38,7 +41,8 @@ struct Pair {
     bool closed_form() const;
 };
 
-/// Every pair, in the order of the table: sphere-sphere, sphere-capsule, ... half_space-half_space.
+/// Every pair of judged shapes, in the order of the table: sphere-sphere, sphere-capsule, ...
+/// half_space-half_space.
 std::vector<Pair> all_pairs();
 
 /// Empty for a name that is none of all_pairs().

@@ -84,10 +84,14 @@ bool valid(const Sphere& s) { return size(s.radius); }
 bool valid(const Capsule& s) { return finite(s.a) && finite(s.b) && size(s.radius); }
 bool valid(const Box& s) { return finite(s.half_extents) && s.half_extents.minCoeff() >= 0; }
 bool valid(const Triangle& s) { return finite(s.a) && finite(s.b) && finite(s.c); }
-template <class Border> bool valid(const Border& s)
+bool valid_border(const Vec3& normal, double offset)
 {
-    return finite(s.normal) && std::isfinite(s.offset) && unit(dot(digits3(s.normal), digits3(s.normal)));
+    return finite(normal) && std::isfinite(offset) && unit(dot(digits3(normal), digits3(normal)));
 }
+bool valid(const Plane& s) { return valid_border(s.normal, s.offset); }
+bool valid(const HalfSpace& s) { return valid_border(s.normal, s.offset); }
+/// Not among the judged shapes.
+template <class Unjudged> bool valid(const Unjudged&) { return false; }
 
 bool valid(const Quat& q)
 {

@@ -81,6 +81,9 @@ Placed place(const HalfSpace& s, const RealPose& pose)
     return unbounded(Kind::half_space, s.normal, s.offset, pose);
 }
 
+/// Not among the judged shapes: no point of it is known.
+template <class Unjudged> Placed place(const Unjudged&, const RealPose&) { return {}; }
+
 /// A bounded shape against a plane or a half-space.
 Gap gap_above(const Placed& body, const Placed& ground)
 {

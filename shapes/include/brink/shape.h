@@ -4,7 +4,11 @@
 #include <brink/aabb.h>
 #include <brink/box.h>
 #include <brink/capsule.h>
+#include <brink/cone.h>
+#include <brink/cylinder.h>
+#include <brink/ellipsoid.h>
 #include <brink/half_space.h>
+#include <brink/hull.h>
 #include <brink/plane.h>
 #include <brink/pose.h>
 #include <brink/sphere.h>
@@ -15,7 +19,8 @@
 namespace brink {
 
 /// One of brink's shapes, by value. Every shape is a closed, convex set: touching and tangency are contact.
-using Shape = std::variant<Sphere, Capsule, Box, Triangle, Plane, HalfSpace>;
+/// (Passing a Hull where a Shape is asked for makes one, and counts the owners of its contents: keep Shapes.)
+using Shape = std::variant<Sphere, Capsule, Box, Triangle, Plane, HalfSpace, Cylinder, Cone, Ellipsoid, Hull>;
 
 /// The least box around a posed shape, rounded outwards: it contains every point of the shape.
 /// Planes and half-spaces are unbounded: their sides are +-infinity, except along a world axis that their

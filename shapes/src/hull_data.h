@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "vector.h"
+
+#include <vector>
+
+namespace brink {
+
+/// A half-space normal . x <= offset that holds every corner of a hull and supports it up to rounding.
+struct HullFace {
+    V3 normal; // unit, up to rounding
+    double offset = 0;
+};
+
+/// What copies of a Hull share. Its unit of length is 2^exponent, in which the largest coordinate lies in
+/// [1, 2): products of directions and corners stay in range whatever the scale. The vertices alone are in the
+/// caller's lengths.
+struct HullData {
+    std::vector<Vec3> vertices;
+    std::vector<double> x, y, z; // corners, one list for each coordinate, so that a scan is vectors' work
+    int exponent = 0;
+    V3 middle;        // of a ball that holds all corners,
+    double ball = 0;  // and its radius
+    double reach = 0; // the largest sum of a corner's coordinates without their signs
+
+    // Only where every corner is proven to be one of a convex polyhedron with these faces; else empty.
+    std::vector<HullFace> faces;
+    std::vector<int> neighbours;      // of all corners, one after the other
+    std::vector<int> first_neighbour; // where those of a corner begin; one more than there are corners
+
+    int count() const { return static_cast<int>(x.size()); }
+    V3 corner(int k) const
+    {
+        const auto i = static_cast<std::size_t>(k);
+        return {x[i], y[i], z[i]};
+    }
+};
+
+/// The corner that lies farthest along d.
+int farthest(const HullData&, V3 d);
+
+} // namespace brink
