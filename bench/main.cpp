@@ -61,8 +61,8 @@ void describe(CLI::App& app, Arguments& arguments)
     app.require_subcommand(0, 1); // none is told in our own words
     arguments.tunnelling_part = app.add_subcommand(
         "tunnelling", "bodies through thin walls: discrete checks, FCL and brink; which are lost");
-    arguments.pairs_part =
-        app.add_subcommand("pairs", "ns per query of every closed-form pair, FCL beside it");
+    arguments.pairs_part = app.add_subcommand(
+        "pairs", "ns per query of pairs that move straight and pairs that turn, FCL beside it");
     arguments.stability_part = app.add_subcommand(
         "stability", "accuracy of t and wrong decisions where it is hard, against 200 digits; "
                      "textbook formulas and FCL beside it");
