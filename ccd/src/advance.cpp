@@ -1,250 +1,251 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "advance.h"
 
-#include "certificate.h"
+#include "depth.h"
+#include "leave.h"
+#include "sight.h"
+#include "support.h"
 #include "tolerance.h"
-#include "window.h"
 
 #include <algorithm>
-#include <optional>
 #include <type_traits>
 
 namespace brink {
 
 namespace {
 
-double size(const Core& core) { return core.radius; }
-double size(const Border& border) { return std::fabs(border.offset); }
+template <class Part> using WatchOf = std::conditional_t<std::is_same_v<Part, Core>, Watch, BorderWatch>;
 
-/// The lengths of one body that roundings are relative to.
-template <class Part> double extent(const Mover<Part>& m)
-{
-    return norm(m.arm) + (1 + m.turn.angle) * m.reach + size(m.part);
-}
-
-Turning turning(const Core& part, const Mover<Core>& m, V3) { return {&part, 0, m.reach, m.turn.rate}; }
-Turning turning(const Border& part, const Mover<Border>& m, V3 axis)
-{
-    return {nullptr, dot(axis, part.normal) < 0 ? -part.offset : part.offset, 0, m.turn.rate};
-}
-
-/// One query: the two bodies, seen from A's pivot, on their way through the step.
+/// One query on its way to first contact.
 template <class Part> class Advance {
 public:
-    Advance(const Mover<Core>& a, const Mover<Part>& b, const Options& options);
+    Advance(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
+        : course_(a, b, options), watch_(a.part, b.part, course_.radii + course_.tolerance)
+    {
+    }
     Toi run();
     Toi from_contact();
     std::optional<Toi> from_proven_contact();
     void describe(Toi& toi);
 
 private:
-    struct Pose {
-        Core a;    // turned about its pivot, which is the origin
-        Part b;    // likewise
-        V3 offset; // from A's pivot to B's
-        Separation separation;
-        double gap = 0; // above target_gap
-    };
-
-    Pose pose();
-    Facing facing() const;
-    Toi answer(Status status) const;
-    Toi separated() const
-    {
-        return {.status = Status::separated, .t = options_.t_max, .iterations = iterations_};
-    }
-    Toi translate_away() const;
-    std::optional<Toi> leave();
-    Toi leave_contact();
-    Toi go_on();
+    bool there() const { return sight_.upper - course_.radii <= course_.tolerance; }
+    double horizon() const { return course_.window.end - course_.now(); }
+    bool spent() const { return course_.iterations >= course_.options.max_iterations; }
+    Separation measured();
+    Separation contact() const;
+    void look();
+    void go_on(double t, const Step&);
+    Step first_step() const;
+    Step best_step() const;
+    bool stale(const Step&);
+    Toi hit();
+    double contact_by();
+    bool in_contact(double later);
+    Toi go_on_from(const Separation& start);
     Toi approach();
-    std::optional<Toi> move(double step, double t_end);
-    double step_away() const;
 
-    const Mover<Core>& a_;
-    const Mover<Part>& b_;
-    const Options& options_;
-    V3 from_, velocity_; // of B's pivot, relative to A's
-    double rounding_;    // of a gap, at most
-    double slack_;       // what rounding can take off a bound
-    double tolerance_;   // how near counts as there
-    double fastest_;     // no gap changes faster
-    Window window_;
-    double t_ = 0;
-    int iterations_ = 0;
-    Pose now_;
+    Course<Part> course_;
+    WatchOf<Part> watch_;
+    Sight sight_;
+    int followed_ = 0;           // axis steps since the last look
+    double seen_gap_ = infinity; // at that look
+    double last_gap_ = infinity; // at the last step
+    bool first_ = true;
 };
 
-template <class Part>
-Advance<Part>::Advance(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
-    : a_(a),
-      b_(b),
-      options_(options),
-      from_((b.position - a.position) + (b.arm - a.arm)),
-      velocity_(b.translation - a.translation)
+template <class Part> void Advance<Part>::look()
 {
-    const double distance = norm(b.position - a.position), travel = norm(velocity_);
-    const double swing = std::is_same_v<Part, Border> ? norm(from_) + travel + a.reach : b.reach;
-    const double lengths =
-        distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + options.target_gap;
-    tolerance_ = std::max(options.tolerance, 2 * tolerance::least_slack * lengths);
-    rounding_ = tolerance::certificate_slack * lengths;
-    slack_ = std::min(rounding_, 0.5 * tolerance_);
-    fastest_ = travel + a.turn.angle * a.reach + b.turn.angle * swing;
-    window_ = meeting(a, b, from_, velocity_, options.target_gap + slack_);
+    ++course_.iterations;
+    sight_ = watch_.look(course_.facing());
+    followed_ = 0;
 }
 
-template <class Part> typename Advance<Part>::Pose Advance<Part>::pose()
+template <class Part> Separation Advance<Part>::measured()
 {
-    ++iterations_;
-    const V3 offset = from_ + t_ * velocity_;
-    Pose p{a_.turned_to(t_), b_.turned_to(t_), offset, {}, 0};
-    p.separation = separation(p.a, placed(p.b, {}, offset));
-    p.gap = p.separation.gap - options_.target_gap;
-    return p;
+    ++course_.iterations;
+    return course_.separated();
 }
 
-template <class Part> Facing Advance<Part>::facing() const
+/// A first look: most pairs of a step never come near, and their fastest approach shows it.
+template <class Part> Step Advance<Part>::first_step() const
 {
-    const V3 axis = now_.separation.normal;
-    const double proven = now_.separation.lower - options_.target_gap - slack_;
-    return {turning(now_.a, a_, axis), turning(now_.b, b_, axis), axis, now_.offset, velocity_, proven};
-}
-
-template <class Part> Toi Advance<Part>::answer(Status status) const
-{
-    Toi toi{.status = status, .t = t_, .iterations = iterations_};
-    if (status == Status::touching) toi.t_upper = 0;
-    if (options_.detail == Detail::time_only) return toi;
-    const V3 origin = a_.pivot(t_);
-    toi.normal = store(now_.separation.normal);
-    toi.point_a = store(origin + now_.separation.point_a);
-    toi.point_b = store(origin + now_.separation.point_b);
-    toi.gap = now_.separation.gap;
-    return toi;
-}
-
-/// Goes on by `step`, unless that passes `t_end` or the budget is spent.
-template <class Part> std::optional<Toi> Advance<Part>::move(double step, double t_end)
-{
-    if (t_ + step > t_end || t_ + step >= window_.end) return separated();
-    if (iterations_ >= options_.max_iterations) return answer(Status::undecided);
-    t_ += step;
-    now_ = pose();
-    return {};
-}
-
-/// Whether the gap is proven not to decrease as two bodies translate: its rate is more than rounding, or zero
-/// in every term.
-bool parting(V3 normal, V3 velocity)
-{
-    const V3 terms{normal.x * velocity.x, normal.y * velocity.y, normal.z * velocity.z};
-    const double rate = terms.x + terms.y + terms.z;
-    return rate > tolerance::rate_slack * norm(velocity) || terms == V3{};
-}
-
-/// Convex bodies that only translate have a convex gap over time: once it does not fall it never falls again.
-template <class Part> Toi Advance<Part>::translate_away() const
-{
-    const bool may_part = options_.start_contact == StartContact::ignore;
-    return may_part || parting(now_.separation.normal, velocity_) ? separated() : answer(Status::touching);
-}
-
-/// A step from a pose within the tolerance of contact, over which the gap provably does not fall below what
-/// it is: 0 if none is proven that could be told from standing still. From deeper down it also ends before
-/// the gap can reach the target, lest it pass over a time of separation and the contact after it; where it
-/// must not fall at all, at a quarter of that, so that poses are looked at often enough to see it fall again.
-template <class Part> double Advance<Part>::step_away() const
-{
-    const double share = options_.start_contact == StartContact::ignore ? 1 : 0.25;
-    const double least = tolerance_ / fastest_, shallow = share * -now_.gap / fastest_;
-    const double rising = rising_step(facing(), window_.end - t_);
-    if (!(rising >= least)) return 0;
-    return now_.gap < -tolerance_ ? std::min(rising, shallow) : rising;
-}
-
-/// From a start in contact, or within the tolerance of it, to where the gap exceeds the tolerance: by steps
-/// over which it does not fall, or else (`ignore` only) cannot exceed the target by more than the tolerance.
-/// Returns an answer where that ends the query. It does not look at t_max, on which `touching` must not
-/// depend.
-template <class Part> std::optional<Toi> Advance<Part>::leave()
-{
-    const auto touching = [this, start = *this] {
-        Toi toi = start.answer(Status::touching);
-        toi.iterations = iterations_;
-        return toi;
-    };
-    const bool blind = options_.start_contact == StartContact::ignore;
-    bool apart = false;
-    while (now_.gap <= tolerance_) {
-        apart = apart || now_.gap > 0;
-        double step = step_away();
-        if (step == 0) {
-            if (apart) return t_ > options_.t_max ? separated() : answer(Status::hit);
-            if (!blind) return touching();
-            step = std::max(-now_.gap, tolerance_) / fastest_;
-        }
-        const std::optional<Toi> end = move(step, blind ? options_.t_max : 1);
-        if (!end) continue;
-        if (apart && end->t > options_.t_max) return separated();
-        return end->status == Status::separated || blind || apart ? end : touching();
+    const Facing<Part>& f = course_.facing();
+    if constexpr (std::is_same_v<Part, Core>) {
+        const double gap = gap_along(f.a.part, f.b.part, sight_.normal) - f.margin;
+        const double rate = closing_rate(f, sight_.normal);
+        if (gap > 0 && rate * horizon() <= gap) return {gap, horizon(), 0};
+        const Step rest = safe_step(f, Axis{sight_.normal, {}}, horizon());
+        if (rest.length > 0) return rest;
     }
-    if (t_ > options_.t_max) return separated();
-    return {};
+    return best_step();
+}
+
+template <class Part> Step Advance<Part>::best_step() const
+{
+    const Facing<Part>& f = course_.facing();
+    Step best;
+    const auto attempt = [&](const Axis& axis) {
+        const Step s = safe_step(f, axis, horizon());
+        if (s.length > best.length || (best.length == 0 && s.gap > best.gap)) best = s;
+    };
+    if (!(sight_.axis.normal == V3{})) attempt(sight_.axis);
+    if constexpr (std::is_same_v<Part, Core>) {
+        if (sight_.normal == V3{} || best.length >= horizon()) return best;
+        // Worse than the first order: the features mislead.
+        if (!sight_.guessed && best.length * closing_rate(f, sight_.normal) >= best.gap && best.length > 0)
+            return best;
+        attempt(Axis{sight_.normal, {}});
+        if (!sight_.guessed) return best;
+        attempt(Axis{sight_.normal, f.a.rate});
+        attempt(Axis{sight_.normal, f.b.rate});
+    }
+    return best;
+}
+
+/// Whether features followed since the last look have lost what touches first.
+template <class Part> bool Advance<Part>::stale(const Step& step)
+{
+    if (followed_ == 0) return false;
+    if (!(step.gap > 0) || step.gap > 0.5 * last_gap_ || followed_ > tolerance::most_followed) return true;
+    if (!(step.gap < 0.1 * seen_gap_)) return false;
+    seen_gap_ = step.gap;
+    watch_.land(course_.facing(), sight_);
+    return step.gap < 0.5 * (sight_.upper - course_.radii);
+}
+
+/// Moves to time t, by a step that leaves `step.residual` of the gap.
+template <class Part> void Advance<Part>::go_on(double t, const Step& step)
+{
+    course_.go(t);
+    last_gap_ = step.gap;
+    if (!watch_.can_follow()) return look();
+    ++followed_;
+    sight_ = watch_.follow(course_.facing());
+    if (step.residual <= 0.5 * course_.tolerance) watch_.land(course_.facing(), sight_);
 }
 
 template <class Part> Toi Advance<Part>::approach()
 {
     for (;;) {
-        if (now_.gap <= tolerance_) return answer(Status::hit);
-        const Facing f = facing();
-        if (!(f.gap > 0)) return answer(Status::undecided);
-        if (const std::optional<Toi> end = move(safe_step(f, window_.end - t_), options_.t_max)) return *end;
+        if (there()) return hit();
+        Step step = first_ ? first_step() : best_step();
+        first_ = false;
+        if (stale(step)) {
+            if (spent()) return course_.answer(Status::undecided, contact());
+            look();
+            continue;
+        }
+        if (there()) return hit();
+        if (!(step.gap > 0)) {
+            sight_ = watch_.look_hard(course_.facing());
+            if (there()) return hit();
+            step = best_step();
+        }
+        if (!(step.gap > 0)) return course_.answer(Status::undecided, contact());
+        if (followed_ == 0) seen_gap_ = step.gap;
+        const double next = course_.now() + step.length;
+        if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
+        if (spent()) return course_.answer(Status::undecided, contact());
+        go_on(next, step);
     }
 }
 
-/// In contact at the start.
-template <class Part> Toi Advance<Part>::leave_contact()
+/// The contact that the last look shows.
+template <class Part> Separation Advance<Part>::contact() const
 {
-    if (options_.start_contact == StartContact::report) return answer(Status::touching);
-    if (a_.turn.angle == 0 && b_.turn.angle == 0) return translate_away();
-    return go_on();
+    if (sight_.upper == infinity) return course_.separated();
+    const Facing<Part>& f = course_.facing();
+    const V3 n = sight_.axis.normal == V3{} ? sight_.normal : sight_.axis.normal;
+    const double apart = dot(sight_.v, n), gap = apart - (course_.radii - course_.options.target_gap);
+    const V3 point_a = sight_.point_a + f.a.part.radius * n;
+    return {gap, gap, n, point_a, point_a + gap * n};
 }
 
-template <class Part> Toi Advance<Part>::go_on()
+template <class Part> Toi Advance<Part>::hit()
 {
-    if (t_ == 0 && now_.gap <= tolerance_) {
-        if (const std::optional<Toi> end = leave()) return *end;
+    Toi toi = course_.answer(Status::hit, contact());
+    toi.t_upper = contact_by();
+    toi.iterations = course_.iterations;
+    return toi;
+}
+
+/// A time by which contact has begun for certain; infinity where that is not proven.
+template <class Part> double Advance<Part>::contact_by()
+{
+    const V3 n = sight_.axis.normal == V3{} ? sight_.normal : sight_.axis.normal;
+    const double closing = closing_speed(course_.facing(), Axis{n, sight_.axis.spin});
+    const double gap = std::max(0.0, dot(sight_.v, n) - course_.radii);
+    if (!(closing > 0)) return infinity;
+    for (const double deep : {8 * course_.rounding, 2 * course_.tolerance + 64 * course_.rounding}) {
+        const double later = course_.now() + 2 * (gap + deep) / closing;
+        if (later <= 1 && in_contact(later)) return later;
+    }
+    return infinity;
+}
+
+/// Whether the witness points, which go with their bodies, prove contact at a later time.
+template <class Part> bool Advance<Part>::in_contact(double later)
+{
+    if constexpr (std::is_same_v<Part, Border>) {
+        const double now = course_.now();
+        course_.go(later);
+        const double gap = course_.separated().gap;
+        course_.go(now);
+        return gap + course_.rounding <= course_.options.target_gap;
+    } else {
+        const V3 a = sight_.point_a, b = a + sight_.v;
+        if (course_.radii > 0)
+            return norm(course_.b_then(b, later) - course_.a_then(a, later)) + course_.rounding <=
+                   course_.radii;
+        const Facing<Core>& f = course_.facing();
+        return depth(f.b.part, course_.a_seen_from_b(a, later)) > course_.rounding ||
+               depth(f.a.part, course_.b_seen_from_a(b, later)) > course_.rounding;
+    }
+}
+
+template <class Part> Toi Advance<Part>::go_on_from(const Separation& start)
+{
+    if (start.gap - course_.options.target_gap <= course_.tolerance) {
+        if (const std::optional<Toi> end = leave(course_, start)) return *end;
+        look();
     }
     return approach();
 }
 
 template <class Part> Toi Advance<Part>::run()
 {
-    if (window_.empty || window_.begin > options_.t_max) return separated();
-    t_ = window_.begin;
-    now_ = pose();
-    return t_ == 0 && now_.gap <= 0 ? leave_contact() : go_on();
+    if (course_.window.empty || course_.window.begin > course_.options.t_max) return course_.apart();
+    course_.go(course_.window.begin);
+    look();
+    if (course_.now() > 0 || !there()) return approach();
+    const Separation start = course_.separated();
+    return start.gap <= course_.options.target_gap ? from_contact() : go_on_from(start);
 }
 
 template <class Part> Toi Advance<Part>::from_contact()
 {
-    now_ = pose();
-    return leave_contact();
+    course_.go(0);
+    const Separation start = measured();
+    if (const std::optional<Toi> end = leave_contact(course_, start)) return *end;
+    look();
+    return approach();
 }
 
 template <class Part> std::optional<Toi> Advance<Part>::from_proven_contact()
 {
-    now_ = pose();
-    if (!(now_.gap < -rounding_)) return {};
-    return leave_contact();
+    course_.go(0);
+    const Separation start = measured();
+    if (!(start.gap - course_.options.target_gap < -course_.rounding)) return {};
+    if (const std::optional<Toi> end = leave_contact(course_, start)) return end;
+    look();
+    return approach();
 }
 
 template <class Part> void Advance<Part>::describe(Toi& toi)
 {
-    t_ = toi.t;
-    now_ = pose();
-    const Toi described = answer(toi.status);
+    course_.go(toi.t);
+    const Toi described = course_.answer(toi.status, measured());
     toi.normal = described.normal;
     toi.point_a = described.point_a;
     toi.point_b = described.point_b;

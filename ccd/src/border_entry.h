@@ -8,9 +8,9 @@
 #include <algorithm>
 
 /// A sphere or capsule against a plane or half-space: whichever end lies lowest stays lowest, so one linear
-/// equation decides. The normal is turned in unevaluated pairs, because a rotation matrix of doubles is off by some
-/// ten roundings, which a long lever arm shows; the heights are taken in pairs only where the approach is
-/// slow.
+/// equation decides. The normal is turned in unevaluated pairs, because a rotation matrix of doubles is off
+/// by some ten roundings, which a long lever arm shows; the heights are taken in pairs only where the
+/// approach is slow.
 namespace brink {
 
 namespace border {

@@ -5,6 +5,7 @@
 #include "tolerance.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace brink {
 
@@ -17,65 +18,121 @@ struct Piece {
     double value, slope;
 };
 
-/// The point of a core that lies farthest along d.
-V3 extreme_point(const Core& core, V3 d)
-{
-    if (!is_simple(core)) return farthest(core, d).point;
-    V3 best = corner(core, 0);
-    double most = dot(d, best);
-    for (int k = 1; k < core.count; ++k) {
-        const V3 point = corner(core, k);
-        const double value = dot(d, point);
-        if (!(value > most)) continue;
-        best = point;
-        most = value;
+/// How a body shows along an axis n + h shift, for all h: where its extreme points lie. Of a few corners, and
+/// of a box, no more is needed than their lines.
+class Shadow {
+public:
+    Shadow(const Posed<Core>& body, V3 axis, V3 shift) : body_(body), axis_(axis), shift_(shift)
+    {
+        const Core& c = body.part;
+        const V3 h = c.half_extents, axes[3] = {c.axes.x, c.axes.y, c.axes.z};
+        if (c.kind <= Core::Kind::triangle) {
+            for (int k = 0; k < c.count; ++k)
+                line_[k] = {dot(axis, c.points[k]), dot(shift, c.points[k] - body.pivot)};
+        } else if (c.kind == Core::Kind::box) {
+            middle_ = {dot(axis, c.centre), dot(shift, c.centre - body.pivot)};
+            const double half[3] = {h.x, h.y, h.z};
+            for (int k = 0; k < 3; ++k)
+                line_[k] = {half[k] * dot(axis, axes[k]), half[k] * dot(shift, axes[k])};
+        }
     }
-    return best;
-}
+    /// The line of the point that lies farthest along the axis, or against it where `side` is -1.
+    Piece extreme(double h, double side) const
+    {
+        const Core& c = body_.part;
+        if (c.kind == Core::Kind::box) {
+            Piece p = middle_;
+            for (const Piece& l : line_) {
+                const double sign = l.value + h * l.slope > 0 ? side : -side;
+                p = {p.value + sign * l.value, p.slope + sign * l.slope};
+            }
+            return p;
+        }
+        if (c.kind <= Core::Kind::triangle) {
+            Piece best = line_[0];
+            for (int k = 1; k < c.count; ++k)
+                if (side * (line_[k].value + h * line_[k].slope) > side * (best.value + h * best.slope))
+                    best = line_[k];
+            return best;
+        }
+        const V3 p = farthest(c, side * (axis_ + h * shift_)).point;
+        return {dot(axis_, p), dot(shift_, p - body_.pivot)};
+    }
 
-/// How a body shows along the turning axis: its extreme point's line. `side` is +1 for A, whose largest value
-/// counts, and -1 for B, whose smallest does.
-Piece extreme(const Turning& body, V3 axis, V3 shift, double h, double side)
-{
-    if (body.core == nullptr) return {body.level, 0};
-    const V3 point = extreme_point(*body.core, side * (axis + h * shift));
-    return {dot(axis, point), dot(shift, point)};
-}
+private:
+    const Posed<Core>& body_;
+    V3 axis_, shift_;
+    Piece middle_{}, line_[3]{};
+};
 
-/// Bounds the second derivative of n . x for a point x of the body while the axis n turns with `spin`.
-double bend(const Turning& body, V3 spin, V3 axis)
+/// A plane has one possible axis, its own normal, which stays with it.
+class Level {
+public:
+    Level(const Posed<Border>& body, V3 axis, V3)
+        : value_(dot(axis, body.part.normal) < 0 ? -body.part.offset : body.part.offset)
+    {
+    }
+    Piece extreme(double, double) const { return {value_, 0}; }
+
+private:
+    double value_;
+};
+
+template <class Part> using ShadowOf = std::conditional_t<std::is_same_v<Part, Core>, Shadow, Level>;
+
+/// The largest x . q over a body's points about its pivot.
+double reach_along(const Posed<Core>& body, V3 q) { return interval(body.part, q).high - dot(q, body.pivot); }
+double reach_along(const Posed<Border>&, V3) { return 0; }
+
+/// What one body adds to the bounds of the second and third derivative of n . x while n turns.
+struct Bend {
+    double second = 0, third = 0;
+    V3 now; // the second derivative of n . x now is x . now
+};
+
+template <class Part> Bend bend(const Posed<Part>& body, const Axis& n, double spin)
 {
-    const V3 relative = body.rate - spin;
-    const double rate = norm(relative);
-    const double across = spin == V3{} ? norm(cross(axis, relative)) : rate;
-    return body.reach * (norm(cross(body.rate, spin)) + across * rate);
+    const V3 relative = body.rate - n.spin;
+    if (relative == V3{}) return {}; // the axis is glued to it
+    if (spin == 0) {
+        const V3 m = cross(n.normal, body.rate);
+        const double across = norm(m) * body.angle;
+        return {body.reach * across, body.reach * across * body.angle, cross(m, body.rate)};
+    }
+    const V3 u = cross(body.rate, n.spin);
+    const double rate = norm(relative), turn = norm(u);
+    return {body.reach * (turn + rate * rate),
+            body.reach * (rate * rate * rate + 3 * rate * turn + spin * turn),
+            cross(n.normal, u) + cross(relative, cross(relative, n.normal))};
 }
 
 /// phi(h) = value + slope h - curvature h^2 / 2 <= gap(t + h) for h in [0, horizon]: every pair of points at
 /// once, because the extreme points are those of an axis that moves linearly. phi is concave. Proof:
 /// numerics.md.
-class Bound {
+template <class Part> class Bound {
 public:
-    /// The axis turns with the constant rate `spin`.
-    Bound(const Facing& f, V3 spin, double horizon)
-        : f_(f), shift_a_(cross(f.axis, f.a.rate - spin)), shift_b_(cross(f.axis, f.b.rate - spin))
+    Bound(const Facing<Part>& f, const Axis& axis, double horizon)
+        : f_(f),
+          axis_(axis),
+          a_(f.a, axis.normal, cross(axis.normal, f.a.rate - axis.spin)),
+          b_(f.b, axis.normal, cross(axis.normal, f.b.rate - axis.spin)),
+          drift_(cross(axis.spin, axis.normal)),
+          slope_(dot(axis.normal, f.velocity) + dot(drift_, f.b.pivot)),
+          now_(piece(0)),
+          horizon_(horizon)
     {
-        const V3 drift = cross(spin, f.axis);
-        slope_ = dot(f.axis, f.velocity) + dot(drift, f.offset);
-        start_ = f.gap - difference(0).value;
-        const Piece now = piece(0);
-        horizon_ = now.slope < 0 && f.gap > 0 ? std::min(horizon, f.gap / -now.slope) : horizon;
-        const double far = std::max(norm(f.offset), norm(f.offset + horizon_ * f.velocity));
-        const double turn = norm(drift);
-        curvature_ = norm(spin) * turn * far + 2 * turn * norm(f.velocity) + bend(f.a, spin, f.axis) +
-                     bend(f.b, spin, f.axis);
+        // Past the root of its tangent a concave function is negative.
+        if (now_.slope < 0 && now_.value > 0) horizon_ = std::min(horizon, now_.value / -now_.slope);
+        bend_towards();
     }
 
     double horizon() const { return horizon_; }
+    double curvature() const { return curvature_; }
+    Piece now() const { return now_; }
     Piece piece(double h) const
     {
-        const Piece d = difference(h);
-        return {start_ + d.value, slope_ + d.slope};
+        const Piece a = a_.extreme(h, 1), b = b_.extreme(h, -1);
+        return {(b.value - a.value) - f_.margin, slope_ + (b.slope - a.slope)};
     }
     double at(double h, Piece p) const { return p.value + h * p.slope - 0.5 * curvature_ * h * h; }
     /// Where the parabola through this piece falls to `level`; never before phi itself does.
@@ -86,122 +143,96 @@ public:
         if (p.slope > 0) return curvature_ > 0 ? (p.slope + root) / curvature_ : infinity;
         return root - p.slope > 0 ? 2 * above / (root - p.slope) : infinity;
     }
+
+    struct Last {
+        double h, value; // phi(h) or, beyond the last h with phi >= level, a little less than the level
+    };
     /// Newton's method from outside: the largest h, or a little more, with phi(h) >= level.
-    double last(double level) const
+    Last last(double level) const
     {
-        double x = horizon_;
-        for (int i = 0; i < newton_rounds; ++i) {
+        double x = std::min(horizon_, reaches(level, now_));
+        for (int i = 0;; ++i) {
             const Piece p = piece(x);
-            if (at(x, p) >= level) return x;
+            const double value = at(x, p);
+            if (value >= level || i == newton_rounds) return {x, value};
             const double next = reaches(level, p);
-            if (!(next < x)) return x;
+            if (!(next < x)) return {x, value};
             x = next;
         }
-        return x;
     }
 
 private:
-    Piece difference(double h) const
+    void bend_towards()
     {
-        const Piece a = extreme(f_.a, f_.axis, shift_a_, h, 1), b = extreme(f_.b, f_.axis, shift_b_, h, -1);
-        return {b.value - a.value, b.slope - a.slope};
+        const double spin = norm(axis_.spin);
+        const Bend a = bend(f_.a, axis_, spin), b = bend(f_.b, axis_, spin);
+        curvature_ = a.second + b.second;
+        double third = a.third + b.third;
+        if (spin > 0) {
+            const double far = std::max(norm(f_.b.pivot), norm(f_.b.pivot + horizon_ * f_.velocity));
+            const double turn = norm(drift_), speed = norm(f_.velocity);
+            curvature_ += spin * turn * far + 2 * turn * speed;
+            third += spin * (spin * turn * far + 3 * turn * speed);
+        }
+        if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_.value))) return;
+        const double bent = reach_along(f_.b, -b.now) + reach_along(f_.a, a.now) -
+                            dot(cross(axis_.spin, drift_), f_.b.pivot) - 2 * dot(drift_, f_.velocity);
+        curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
     }
 
-    const Facing& f_;
-    V3 shift_a_, shift_b_;
-    double slope_ = 0, start_ = 0, horizon_ = 0, curvature_ = 0;
+    const Facing<Part>& f_;
+    const Axis& axis_;
+    Shadow a_;
+    ShadowOf<Part> b_;
+    V3 drift_;
+    double slope_;
+    Piece now_;
+    double horizon_, curvature_ = 0;
 };
-
-double safe(const Facing& f, V3 spin, double horizon)
-{
-    const Bound bound(f, spin, horizon);
-    const double x = bound.last(0), left = bound.at(x, bound.piece(x));
-    if (left >= 0) return x;
-    return x * (f.gap / (f.gap - left)) * tolerance::step_shrink; // the chord lies below a concave function
-}
-
-double rising(const Facing& f, V3 spin, double horizon)
-{
-    const Bound bound(f, spin, horizon);
-    const double x = bound.last(f.gap);
-    if (x >= horizon && bound.at(x, bound.piece(x)) >= f.gap) return horizon;
-    const double half = 0.5 * x; // the top of a parabola; further on the bound falls again
-    return bound.at(half, bound.piece(half)) >= f.gap ? half : 0;
-}
-
-/// A world-fixed axis falls at most this fast, whatever the points.
-double first_order(const Facing& f, double horizon)
-{
-    const double rate = norm(cross(f.axis, f.a.rate)) * f.a.reach +
-                        norm(cross(f.axis, f.b.rate)) * f.b.reach - dot(f.axis, f.velocity);
-    return rate * horizon <= f.gap ? horizon : f.gap / rate * tolerance::step_shrink;
-}
-
-/// The edges of a body that lie in its supporting plane: one, or some of a face's. Without any, a zero stands
-/// for a corner.
-struct Edges {
-    int count = 0;
-    V3 direction[3]; // unit
-};
-
-Edges edges_across(const Core& core, V3 axis, double side)
-{
-    int nearest = 0;
-    for (int k = 1; k < core.count; ++k)
-        if (side * dot(axis, corner(core, k)) > side * dot(axis, corner(core, nearest))) nearest = k;
-    Edges edges;
-    const auto add = [&](V3 along) {
-        const double length = norm(along);
-        if (length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length && edges.count < 3)
-            edges.direction[edges.count++] = (1 / length) * along;
-    };
-    for (int k = 0; k < core.count; ++k)
-        add(corner(core, k) - corner(core, nearest));
-    if (core.count == 3 && edges.count == 2)
-        add(corner(core, (nearest + 1) % 3) - corner(core, (nearest + 2) % 3));
-    return edges;
-}
-
-/// The rate at which the common normal of two edges really turns, or of an edge and a corner (a zero): a
-/// normal at right angles to edge e of a body that turns with w changes by eta with eta . e = -n . (w x e).
-V3 following(const Facing& f, V3 e, V3 g)
-{
-    const double along_e = -dot(f.axis, cross(f.a.rate, e)), along_g = -dot(f.axis, cross(f.b.rate, g));
-    const double cosine = dot(e, g), rest = 1 - cosine * cosine;
-    if (rest < tolerance::nearly_parallel) return {};
-    const V3 eta = ((along_e - cosine * along_g) / rest) * e + ((along_g - cosine * along_e) / rest) * g;
-    return cross(f.axis, eta);
-}
-
-/// The best step over the axes worth turning: at rest, glued to A, glued to B, and following the edges that
-/// touch; those of faces too where nothing else gets away from the spot. A plane's normal stays with it. Any
-/// rate is valid; the right one makes the steps converge.
-template <class Step> double best(const Facing& f, double horizon, Step step)
-{
-    if (f.b.core == nullptr) return step(f, f.b.rate, horizon);
-    double h = step(f, V3{}, horizon);
-    const auto better = [&](V3 spin) {
-        if (!(spin == V3{}) && h < horizon) h = std::max(h, step(f, spin, horizon));
-    };
-    better(f.a.rate);
-    better(f.b.rate);
-    const Edges of_a = edges_across(*f.a.core, f.axis, 1), of_b = edges_across(*f.b.core, f.axis, -1);
-    const bool faces = of_a.count > 1 || of_b.count > 1;
-    if (faces && h > tolerance::standstill * horizon) return h;
-    for (int i = 0; i < std::max(1, of_a.count); ++i)
-        for (int k = 0; k < std::max(1, of_b.count); ++k)
-            better(following(f, of_a.direction[i], of_b.direction[k]));
-    return h;
-}
 
 } // namespace
 
-double safe_step(const Facing& f, double horizon)
+template <class Part> Step safe_step(const Facing<Part>& f, const Axis& axis, double horizon)
 {
-    const double simple = f.b.core != nullptr ? first_order(f, horizon) : 0;
-    return simple >= horizon ? horizon : std::max(simple, best(f, horizon, safe));
+    const Bound<Part> bound(f, axis, horizon);
+    Step step{bound.now().value, 0, 0};
+    if (!(step.gap > 0)) return step;
+    const auto [x, left] = bound.last(0);
+    // The chord lies below a concave function.
+    step.length = left >= 0 ? x : x * (step.gap / (step.gap - left)) * tolerance::step_shrink;
+    step.residual = bound.curvature() * step.length * step.length;
+    return step;
 }
 
-double rising_step(const Facing& f, double horizon) { return best(f, horizon, rising); }
+template <class Part> double rising_step(const Facing<Part>& f, const Axis& axis, double horizon)
+{
+    const Bound<Part> bound(f, axis, horizon);
+    const double level = bound.now().value;
+    const auto [x, value] = bound.last(level);
+    if (x >= horizon && value >= level) return horizon;
+    const double half = 0.5 * x; // the top of a parabola; further on the bound falls again
+    return bound.at(half, bound.piece(half)) >= level ? half : 0;
+}
+
+template <class Part> double closing_speed(const Facing<Part>& f, const Axis& axis)
+{
+    const Piece a = Shadow(f.a, axis.normal, cross(axis.normal, f.a.rate - axis.spin)).extreme(0, 1);
+    const Piece b = ShadowOf<Part>(f.b, axis.normal, cross(axis.normal, f.b.rate - axis.spin)).extreme(0, -1);
+    const V3 drift = cross(axis.spin, axis.normal);
+    return (a.slope - b.slope) - (dot(axis.normal, f.velocity) + dot(drift, f.b.pivot));
+}
+
+double closing_rate(const Facing<Core>& f, V3 axis)
+{
+    return norm(cross(axis, f.a.rate)) * f.a.reach + norm(cross(axis, f.b.rate)) * f.b.reach -
+           dot(axis, f.velocity);
+}
+
+template Step safe_step(const Facing<Core>&, const Axis&, double);
+template Step safe_step(const Facing<Border>&, const Axis&, double);
+template double closing_speed(const Facing<Core>&, const Axis&);
+template double closing_speed(const Facing<Border>&, const Axis&);
+template double rising_step(const Facing<Core>&, const Axis&, double);
+template double rising_step(const Facing<Border>&, const Axis&, double);
 
 } // namespace brink

@@ -5,29 +5,48 @@
 
 namespace brink {
 
-/// What the certified steps need of one body at one time: its core about the pivot, or its plane.
-struct Turning {
-    const Core* core =
-        nullptr;      // about the pivot, world axes; null: a plane or half-space, which `level` is of
-    double level = 0; // n . x of every point of the plane, n the axis of the certificate
-    double reach = 0;
+/// One body at one time, seen from A's pivot with the world's axes.
+template <class Part> struct Posed {
+    const Part& part; // placed
+    V3 pivot;
+    double reach;
     V3 rate;
+    double angle; // |rate|
 };
 
-/// Two bodies at time t and an axis between them. Every unit axis n, however found, bounds the gap from below
-/// by the two planes at right angles to it that support the bodies.
-struct Facing {
-    Turning a, b;
-    V3 axis;     // unit, from A towards B
-    V3 offset;   // from A's pivot to B's at time t
-    V3 velocity; // of B's pivot relative to A's, per step
-    double gap;  // what is proven to lie between the supporting planes at time t, rounding already taken off
+/// Two bodies at time t.
+template <class Part> struct Facing {
+    Posed<Core> a; // its pivot is the origin
+    Posed<Part> b;
+    V3 velocity;   // of B's pivot relative to A's, per step
+    double margin; // radii, target gap and what rounding may hide: taken off every bound
 };
 
-/// A step h in [0, horizon] over which the gap is proven to stay at or above zero; 0 when nothing is proven.
-double safe_step(const Facing&, double horizon);
+/// An axis between two bodies, and how fast it is to turn. Every unit axis, however found, and every rate
+/// give a valid bound; good ones give long steps.
+struct Axis {
+    V3 normal; // unit, from A towards B
+    V3 spin;   // radians per step
+};
 
-/// A step h in [0, horizon] over which the gap is proven not to fall below its value now.
-double rising_step(const Facing&, double horizon);
+/// What one axis proves.
+struct Step {
+    double gap = 0;      // now, between the supporting planes at right angles to it
+    double length = 0;   // of time, over which the gap is proven to stay at or above zero
+    double residual = 0; // about as much of the gap as the same axis leaves after it
+};
+
+/// The step that an axis proves from here; no longer than the horizon. Nothing where the gap is not positive.
+template <class Part> Step safe_step(const Facing<Part>&, const Axis&, double horizon);
+
+/// The time over which the gap along an axis is proven not to fall below its value now.
+template <class Part> double rising_step(const Facing<Part>&, const Axis&, double horizon);
+
+/// How fast the gap along an axis closes now; negative where it opens.
+template <class Part> double closing_speed(const Facing<Part>&, const Axis&);
+
+/// How fast the gap can close at most, as far as the two supporting planes at right angles to a fixed axis
+/// tell, at any time; may be negative.
+double closing_rate(const Facing<Core>&, V3 axis);
 
 } // namespace brink

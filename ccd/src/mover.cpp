@@ -3,23 +3,67 @@
 
 #include "support.h"
 #include "tolerance.h"
-#include "trig.h"
 
 namespace brink {
 
 namespace {
 
-template <class Part> Mover<Part> started(const Part& local, const Motion& motion)
+Turning turning(V3 v, const Turn& turn)
+{
+    const V3 still = dot(turn.axis, v) * turn.axis;
+    return {still, v - still, cross(turn.axis, v)};
+}
+
+/// Whether the core is given by its corners; else by its axes and centre.
+bool by_corners(const Core& c) { return c.kind <= Core::Kind::triangle; }
+
+void prepare(Mover<Core>& m)
+{
+    if (by_corners(m.part)) {
+        for (int k = 0; k < m.part.count; ++k)
+            m.vectors[k] = turning(m.part.points[k], m.turn);
+        return;
+    }
+    m.vectors[0] = turning(m.part.axes.x, m.turn);
+    m.vectors[1] = turning(m.part.axes.y, m.turn);
+    m.vectors[2] = turning(m.part.axes.z, m.turn);
+    m.vectors[3] = turning(m.part.centre, m.turn);
+}
+void prepare(Mover<Border>& m) { m.vectors[0] = turning(m.part.normal, m.turn); }
+
+/// The part as it starts, about its pivot.
+Core started(const Core& local, const Rotation& start, V3 pivot)
+{
+    Core c = local;
+    if (by_corners(local)) {
+        // A sphere on its pivot: its orientation was never looked at, and may be anything.
+        if (local.kind == Core::Kind::point && local.points[0] == pivot) {
+            c.points[0] = {};
+            return c;
+        }
+        for (int k = 0; k < local.count; ++k)
+            c.points[k] = start * (local.points[k] - pivot);
+        return c;
+    }
+    const double unit = local.axes.x.x; // a hull's length; its own axes are not turned
+    c.axes = {unit * start.x, unit * start.y, unit * start.z};
+    if (!(local.centre == pivot)) c.centre = start * (local.centre - pivot);
+    return c;
+}
+Border started(const Border& local, const Rotation& start, V3 pivot)
+{
+    return placed(placed(local, {}, -pivot), start, {});
+}
+
+template <class Part> void start(Mover<Part>& m, const Part& local, const Motion& motion)
 {
     const V3 pivot = load(motion.pivot);
-    const Rotation start = rotation(motion.start.orientation);
-    Mover<Part> m;
-    m.part = placed(placed(local, {}, -pivot), start, {});
+    const Rotation turned = rotation(motion.start.orientation);
+    m.part = started(local, turned, pivot);
     m.position = load(motion.start.position);
-    m.arm = pivot == V3{} ? V3{} : start * pivot;
+    m.arm = pivot == V3{} ? V3{} : turned * pivot;
     m.translation = load(motion.translation);
     m.turn = turn(motion.rotation);
-    return m;
 }
 
 } // namespace
@@ -42,14 +86,45 @@ Rotation turned(const Turn& turn, double t)
             {ck.z * k.x + sk.y, ck.z * k.y - sk.x, at.cos + ck.z * k.z}};
 }
 
+template <> void Mover<Core>::place(Core& copy, double t, V3 at) const
+{
+    const bool still = turn.angle == 0;
+    const SinCos a = still ? SinCos{0, 1} : sin_cos(t * turn.angle);
+    if (by_corners(part)) {
+        for (int k = 0; k < part.count; ++k)
+            copy.points[k] = (still ? part.points[k] : vectors[k].at(a)) + at;
+        return;
+    }
+    if (still) {
+        copy.centre = part.centre + at;
+        return;
+    }
+    copy.axes = {vectors[0].at(a), vectors[1].at(a), vectors[2].at(a)};
+    copy.centre = vectors[3].at(a) + at;
+}
+
+template <> void Mover<Border>::place(Border& copy, double t, V3 at) const
+{
+    if (turn.angle > 0) copy.normal = vectors[0].at(sin_cos(t * turn.angle));
+    copy.offset = part.offset + dot(copy.normal, at);
+}
+
 Mover<Core> mover(const Core& local, const Motion& motion)
 {
-    Mover<Core> m = started(local, motion);
+    Mover<Core> m;
+    start(m, local, motion);
     m.reach = reach(m.part) * (1 + tolerance::holding_slack);
     if (m.reach == 0) m.turn = {};
+    if (m.turn.angle > 0) prepare(m);
     return m;
 }
 
-Mover<Border> mover(const Border& local, const Motion& motion) { return started(local, motion); }
+Mover<Border> mover(const Border& local, const Motion& motion)
+{
+    Mover<Border> m;
+    start(m, local, motion);
+    if (m.turn.angle > 0) prepare(m);
+    return m;
+}
 
 } // namespace brink

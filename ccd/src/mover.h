@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core.h"
+#include "trig.h"
 #include "vector.h"
 
 #include <brink/motion.h>
@@ -19,6 +20,13 @@ Turn turn(const Vec3& rotation);
 /// exp(t [rate]x)
 Rotation turned(const Turn&, double t);
 
+/// A vector that turns about an axis: what stays, what turns with the cosine and what with the sine.
+struct Turning {
+    V3 still, cosine, sine;
+
+    V3 at(SinCos a) const { return still + a.cos * cosine + a.sin * sine; }
+};
+
 /// A moving shape about its pivot: `Part` is Core (bounded) or Border (plane or half-space), in world axes at
 /// t = 0 and with the pivot as origin.
 template <class Part> struct Mover {
@@ -26,11 +34,19 @@ template <class Part> struct Mover {
     V3 position; // of the body, world
     V3 arm;      // from there to the pivot
     V3 translation;
-    Turn turn;        // none where turning changes nothing: a point on its pivot
-    double reach = 0; // from the pivot to the farthest point of the core; 0 for a plane or half-space
+    Turn turn;          // none where turning changes nothing: a point on its pivot
+    double reach = 0;   // from the pivot to the farthest point of the core; 0 for a plane or half-space
+    Turning vectors[4]; // of a part that turns: its corners or else its axes and centre; a border's normal
 
     V3 pivot(double t) const { return position + (arm + t * translation); }
-    Part turned_to(double t) const { return placed(part, turned(turn, t), {}); }
+    /// Puts a copy of the part where it is at t, its pivot at `at`.
+    void place(Part& copy, double t, V3 at) const;
+    Part turned_to(double t) const
+    {
+        Part copy = part;
+        place(copy, t, {});
+        return copy;
+    }
 };
 
 /// A shape seen from itself, on its way.

@@ -33,8 +33,8 @@ inline constexpr double nearly_parallel = 1e-6;
 
 /// Rounding of a point's height over a supporting plane, as a multiple of relative position + relative motion
 /// + radii, and of the extents of points that a rotation has turned: the operations counted in numerics.md.
-inline constexpr double axis_slack = 8 * unit_roundoff;
-inline constexpr double turning_slack = 28 * unit_roundoff;
+inline constexpr double axis_slack = 10 * unit_roundoff;
+inline constexpr double turning_slack = 32 * unit_roundoff;
 
 /// Rounding of a height from unevaluated pairs, as a multiple of all lengths that enter it: some twenty
 /// operations of 4 u^2 each.
@@ -76,6 +76,13 @@ inline constexpr double holding_slack = 0x1p-40;
 /// Rounding of the rate of a gap under translation, as a part of the speed: a few roundings of the normal,
 /// and three of the product.
 inline constexpr double rate_slack = 32 * unit_roundoff;
+
+/// Where the curvature of a bound takes more than this part of the gap over the whole horizon, a sharper one
+/// is worth two more support points: a guess, on which no answer's validity rests.
+inline constexpr double much_curved = 0.02;
+
+/// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
+inline constexpr int most_followed = 12;
 
 /// How flat in a supporting plane an edge lies that may be touching (sine of the angle): a guess, which no
 /// answer's validity rests on.

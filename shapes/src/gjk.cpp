@@ -2,31 +2,23 @@
 #include "gjk.h"
 
 #include "nearest.h"
-#include "simplex.h"
 #include "support.h"
 
 namespace brink {
 
 namespace {
 
-/// Enough for any two boxes many times over; v shortens in every round, so it cannot be reached by cycling.
-constexpr int most_rounds = 64;
+/// Enough for any two polytopes many times over; v shortens in every round, so it cannot be reached by
+/// cycling. Smooth shapes get nearer by a digit or more in a few rounds.
+constexpr int most_rounds = 128;
 
 Simplex::Corner corner_towards_origin(const Core& a, const Core& b, V3 v)
 {
     const SupportPoint on_a = farthest(a, v), on_b = farthest(b, -v);
-    return {on_b.point - on_a.point, on_a.point, on_a.corner, on_b.corner, 1};
+    return {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
 }
 
-V3 witness(const Simplex& s)
-{
-    V3 p = s.corners[0].weight * s.corners[0].on_a;
-    for (int k = 1; k < s.size; ++k)
-        p = p + s.corners[k].weight * s.corners[k].on_a;
-    return p;
-}
-
-/// The corners of one core that a simplex uses, each once.
+/// The different corners of one core that a simplex uses.
 struct Feature {
     int count = 0;
     V3 points[4];
@@ -39,12 +31,11 @@ struct Feature {
 };
 
 /// The direction that the features at the two ends of v ask for: v itself is rounding noise when it is short.
-V3 feature_normal(const Core& a, const Core& b, const Simplex& s, V3 v)
+V3 feature_normal(const Simplex& s, V3 v)
 {
-    if (!is_polytope(a) || !is_polytope(b)) return v;
     Feature of_a, of_b;
     for (int k = 0; k < s.size; ++k)
-        of_a.add(corner(a, s.corners[k].in_a)), of_b.add(corner(b, s.corners[k].in_b));
+        of_a.add(s.corners[k].on_a), of_b.add(s.corners[k].on_b);
     if (of_a.count >= 3) return face_normal(of_a.points[0], of_a.points[1], of_a.points[2]);
     if (of_b.count >= 3) return face_normal(of_b.points[0], of_b.points[1], of_b.points[2]);
     if (of_a.count == 2 && of_b.count == 2) {
@@ -56,41 +47,63 @@ V3 feature_normal(const Core& a, const Core& b, const Simplex& s, V3 v)
     return v;
 }
 
-/// The answer with n, in either sense, for its normal, if that confirms it.
-Closest confirmed(const Core& a, const Core& b, Closest c, V3 n, double slack)
+/// Takes n, in either sense, for the normal where it proves more than what was found on the way, and believes
+/// it if it confirms the distance.
+void confirm(Closest& c, const Core& a, const Core& b, V3 n, double slack)
 {
     const double length = norm(n), distance = norm(c.v);
-    if (!(length > 0)) return c;
+    if (!(length > 0)) return;
     n = (dot(n, c.v) < 0 ? -1 / length : 1 / length) * n;
-    c.lower = gap_along(a, b, n);
+    const double lower = gap_along(a, b, n);
+    if (!(lower >= c.lower)) return;
+    c.lower = lower;
     c.normal = n;
     // The second test keeps v along n where the distance hardly depends on the place of the witness points.
     c.certain = distance - c.lower <= slack && norm(c.v - distance * n) <= slack;
-    return c;
 }
 
 } // namespace
 
-Closest gjk(const Core& a, const Core& b, double slack)
+Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
 {
-    Simplex simplex{1, {corner_towards_origin(a, b, middle(b) - middle(a))}};
-    V3 v = simplex.point();
-    for (int round = 0; round < most_rounds; ++round) {
-        const double square = norm_squared(v), distance = std::sqrt(square);
-        if (!(distance > slack)) break;
-        const Simplex::Corner corner = corner_towards_origin(a, b, v);
-        const double lower = dot(v, corner.w) / distance;
-        if (distance - lower <= slack) return {true, witness(simplex), v, (1 / distance) * v, lower};
-        if (simplex.contains(corner)) break;
-        const Simplex next = simplex.with(corner).reduced();
-        if (next.size == 4) return {false, witness(simplex), v, {}, 0};
+    Closest c;
+    c.simplex = start;
+    if (start.size == 0) c.simplex.add(corner_towards_origin(a, b, middle(b) - middle(a)));
+    c.simplex.reduce();
+    c.inside = c.simplex.size == 4;
+    c.v = c.simplex.point();
+    Simplex next = c.simplex;
+    for (int round = 0; round < most_rounds && !c.inside; ++round) {
+        const double square = norm_squared(c.v), distance = std::sqrt(square);
+        if (!(distance > near.slack)) break;
+        const Simplex::Corner corner = corner_towards_origin(a, b, c.v);
+        const double lower = dot(c.v, corner.w) / distance;
+        if (lower > c.lower) c.lower = lower, c.normal = (1 / distance) * c.v;
+        if (distance - lower <= near.slack + near.relative * distance) {
+            c.certain = true;
+            c.lower = lower;
+            c.normal = (1 / distance) * c.v;
+            c.point_a = c.simplex.on_a();
+            return c;
+        }
+        if (c.simplex.contains(corner)) break;
+        next.add(corner);
+        next.reduce();
+        if (next.size == 4) {
+            c.inside = true;
+            break;
+        }
         const V3 next_v = next.point();
         if (!(norm_squared(next_v) < square)) break;
-        simplex = next;
-        v = next_v;
+        c.simplex = next;
+        c.v = next_v;
     }
-    const Closest found{false, witness(simplex), v, {}, 0};
-    return confirmed(a, b, found, feature_normal(a, b, simplex, v), slack);
+    c.point_a = c.simplex.on_a();
+    if (c.inside) // the tetrahedron, for what begins where this ends; v is left from the round before
+        c.simplex = next;
+    else
+        confirm(c, a, b, feature_normal(c.simplex, c.v), near.slack);
+    return c;
 }
 
 } // namespace brink

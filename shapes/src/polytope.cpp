@@ -107,7 +107,7 @@ Separation by_support(const Core& a, const Core& b, const Closest& c)
 Separation polytope_separation(const Core& a, const Core& b)
 {
     const double slack = tolerance::tight * std::max(extent(a), extent(b));
-    const Closest c = gjk(a, b, slack);
+    const Closest c = gjk(a, b, {slack});
     if (c.certain)
         return {c.lower, certified(norm(c.v), c.lower, slack), c.normal, c.point_a, c.point_a + c.v};
     if (!is_simple(a) || !is_simple(b)) return by_support(a, b, c);

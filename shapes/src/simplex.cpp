@@ -7,48 +7,64 @@ namespace {
 
 using Corner = Simplex::Corner;
 
-Corner weighted(Corner c, double weight)
+/// Which corners the nearest point needs, a bit each, and their weights: 0 for the others.
+struct Weights {
+    unsigned used = 0;
+    double of[4] = {};
+};
+
+Weights single(int a)
 {
-    c.weight = weight;
-    return c;
+    Weights w{1U << a};
+    w.of[a] = 1;
+    return w;
 }
 
-Simplex single(const Corner& a) { return {1, {weighted(a, 1)}}; }
-
 /// The point of the edge between a and b at t of the way.
-Simplex edge(const Corner& a, const Corner& b, double t) { return {2, {weighted(a, 1 - t), weighted(b, t)}}; }
-
-Simplex nearest(const Corner& a, const Corner& b)
+Weights edge(int a, int b, double t)
 {
-    const V3 e = b.w - a.w;
-    const double past_a = -dot(a.w, e), before_b = dot(b.w, e);
+    Weights w{1U << a | 1U << b};
+    w.of[a] = 1 - t;
+    w.of[b] = t;
+    return w;
+}
+
+Weights nearest(const Corner* c, int a, int b)
+{
+    const V3 e = c[b].w - c[a].w;
+    const double past_a = -dot(c[a].w, e), before_b = dot(c[b].w, e);
     if (!(past_a > 0)) return single(a);
     if (!(before_b > 0)) return single(b);
     return edge(a, b, past_a / (past_a + before_b));
 }
 
 /// Ericson, Real-Time Collision Detection, 2005: the nearest point of a triangle by Voronoi regions.
-Simplex nearest(const Corner& a, const Corner& b, const Corner& c)
+Weights nearest(const Corner* corners, int i, int j, int k)
 {
-    const V3 ab = b.w - a.w, ac = c.w - a.w;
-    const double ab_a = -dot(ab, a.w), ac_a = -dot(ac, a.w);
-    if (ab_a <= 0 && ac_a <= 0) return single(a);
-    const double ab_b = -dot(ab, b.w), ac_b = -dot(ac, b.w);
-    if (ab_b >= 0 && ac_b <= ab_b) return single(b);
-    const double ab_c = -dot(ab, c.w), ac_c = -dot(ac, c.w);
-    if (ac_c >= 0 && ab_c <= ac_c) return single(c);
+    const V3 a = corners[i].w, b = corners[j].w, c = corners[k].w;
+    const V3 ab = b - a, ac = c - a;
+    const double ab_a = -dot(ab, a), ac_a = -dot(ac, a);
+    if (ab_a <= 0 && ac_a <= 0) return single(i);
+    const double ab_b = -dot(ab, b), ac_b = -dot(ac, b);
+    if (ab_b >= 0 && ac_b <= ab_b) return single(j);
+    const double ab_c = -dot(ab, c), ac_c = -dot(ac, c);
+    if (ac_c >= 0 && ab_c <= ac_c) return single(k);
 
     const double area_c = ab_a * ac_b - ab_b * ac_a;
-    if (area_c <= 0 && ab_a > 0 && ab_b < 0) return edge(a, b, ab_a / (ab_a - ab_b));
+    if (area_c <= 0 && ab_a > 0 && ab_b < 0) return edge(i, j, ab_a / (ab_a - ab_b));
     const double area_b = ab_c * ac_a - ab_a * ac_c;
-    if (area_b <= 0 && ac_a > 0 && ac_c < 0) return edge(a, c, ac_a / (ac_a - ac_c));
+    if (area_b <= 0 && ac_a > 0 && ac_c < 0) return edge(i, k, ac_a / (ac_a - ac_c));
     const double area_a = ab_b * ac_c - ab_c * ac_b;
     const double from_b = ac_b - ab_b, from_c = ab_c - ac_c;
-    if (area_a <= 0 && from_b > 0 && from_c > 0) return edge(b, c, from_b / (from_b + from_c));
+    if (area_a <= 0 && from_b > 0 && from_c > 0) return edge(j, k, from_b / (from_b + from_c));
 
     const double sum = area_a + area_b + area_c;
-    if (!(area_a > 0 && area_b > 0 && area_c > 0)) return single(a);
-    return {3, {weighted(a, area_a / sum), weighted(b, area_b / sum), weighted(c, area_c / sum)}};
+    if (!(area_a > 0 && area_b > 0 && area_c > 0)) return single(i);
+    Weights w{1U << i | 1U << j | 1U << k};
+    w.of[i] = area_a / sum;
+    w.of[j] = area_b / sum;
+    w.of[k] = area_c / sum;
+    return w;
 }
 
 /// Whether the plane through a, b and c keeps the origin apart from d.
@@ -58,20 +74,43 @@ bool separates(const Corner& a, const Corner& b, const Corner& c, const Corner& 
     return dot(n, d.w - a.w) * dot(n, a.w) >= 0;
 }
 
-Simplex nearer(const Simplex& s, const Simplex& t)
+double square_at(const Corner* c, const Weights& w)
 {
-    return norm_squared(t.point()) < norm_squared(s.point()) ? t : s;
+    V3 p{};
+    for (int k = 0; k < 4; ++k)
+        if ((w.used >> k & 1U) != 0) p = p + w.of[k] * c[k].w;
+    return norm_squared(p);
 }
 
-/// The face opposite to the newest corner d was the simplex before it: the origin lies on d's side of that.
-Simplex nearest(const Corner& a, const Corner& b, const Corner& c, const Corner& d)
+/// The face opposite to the newest corner was the simplex before it: the origin lies on the newest's side of
+/// that.
+Weights nearest(const Corner* c)
 {
-    Simplex best;
-    if (separates(a, b, d, c)) best = nearest(a, b, d);
-    if (separates(b, c, d, a)) best = best.size == 0 ? nearest(b, c, d) : nearer(best, nearest(b, c, d));
-    if (separates(c, a, d, b)) best = best.size == 0 ? nearest(c, a, d) : nearer(best, nearest(c, a, d));
-    if (best.size > 0) return best;
-    return {4, {a, b, c, d}};
+    Weights best;
+    constexpr int faces[3][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    constexpr int opposite[3] = {2, 0, 1};
+    for (int f = 0; f < 3; ++f) {
+        const int i = faces[f][0], j = faces[f][1], k = faces[f][2];
+        if (!separates(c[i], c[j], c[k], c[opposite[f]])) continue;
+        const Weights w = nearest(c, i, j, k);
+        if (best.used == 0 || square_at(c, w) < square_at(c, best)) best = w;
+    }
+    if (best.used == 0) best.used = 15;
+    return best;
+}
+
+Weights nearest(const Simplex& s)
+{
+    switch (s.size) {
+    case 1:
+        return single(0);
+    case 2:
+        return nearest(s.corners, 0, 1);
+    case 3:
+        return nearest(s.corners, 0, 1, 2);
+    default:
+        return nearest(s.corners);
+    }
 }
 
 } // namespace
@@ -84,36 +123,31 @@ V3 Simplex::point() const
     return p;
 }
 
-bool Simplex::contains(const Corner& corner) const
+V3 Simplex::on_a() const
 {
-    const bool by_place = corner.in_a < 0 || corner.in_b < 0;
-    for (int k = 0; k < size; ++k) {
-        const Corner& c = corners[k];
-        if (by_place ? c.w == corner.w : c.in_a == corner.in_a && c.in_b == corner.in_b) return true;
-    }
+    V3 p = corners[0].weight * corners[0].on_a;
+    for (int k = 1; k < size; ++k)
+        p = p + corners[k].weight * corners[k].on_a;
+    return p;
+}
+
+bool Simplex::contains(const Corner& c) const
+{
+    for (int k = 0; k < size; ++k)
+        if (corners[k].w == c.w && corners[k].in_a == c.in_a && corners[k].in_b == c.in_b) return true;
     return false;
 }
 
-Simplex Simplex::with(const Corner& corner) const
+void Simplex::reduce()
 {
-    Simplex s = *this;
-    s.corners[s.size++] = corner;
-    return s;
-}
-
-Simplex Simplex::reduced() const
-{
-    const Corner* c = corners;
-    switch (size) {
-    case 1:
-        return single(c[0]);
-    case 2:
-        return nearest(c[0], c[1]);
-    case 3:
-        return nearest(c[0], c[1], c[2]);
-    default:
-        return nearest(c[0], c[1], c[2], c[3]);
+    const Weights w = nearest(*this);
+    int kept = 0;
+    for (int k = 0; k < size; ++k) {
+        if ((w.used >> k & 1U) == 0) continue;
+        if (kept != k) corners[kept] = corners[k];
+        corners[kept++].weight = w.of[k];
     }
+    size = kept;
 }
 
 } // namespace brink

@@ -5,14 +5,14 @@
 
 namespace brink {
 
-/// Up to four corners of the difference B - A, and the weights that make the point of their hull which is
+/// Up to four points of the difference B - A, and the weights that make the point of their hull which is
 /// nearest to the origin. Weights are never negative and sum to 1, so that the point lies in the hull
 /// whatever rounding did.
 struct Simplex {
     struct Corner {
-        V3 w;                     // the point of B less that of A
-        V3 on_a;                  // the latter
-        int in_a = -1, in_b = -1; // which corners they are, if any
+        V3 w; // on_b - on_a
+        V3 on_a, on_b;
+        int in_a = 0, in_b = 0; // which corners of A and of B: -1 on smooth shapes
         double weight = 0;
     };
     int size = 0;
@@ -20,12 +20,15 @@ struct Simplex {
 
     /// The point that the weights stand for.
     [[nodiscard]] V3 point() const;
+    /// The same point of the hull as one of A.
+    [[nodiscard]] V3 on_a() const;
+    /// Whether this very point is among the corners.
     [[nodiscard]] bool contains(const Corner&) const;
     /// One corner more; fewer than four before.
-    [[nodiscard]] Simplex with(const Corner&) const;
-    /// The same hull's nearest point to the origin, and only the corners that it needs: four only where the
+    void add(const Corner& c) { corners[size++] = c; }
+    /// Finds the point nearest to the origin and leaves only the corners that it needs: four only where the
     /// origin is inside. The last corner must be the newest one.
-    [[nodiscard]] Simplex reduced() const;
+    void reduce();
 };
 
 } // namespace brink

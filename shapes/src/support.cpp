@@ -33,6 +33,10 @@ double reach(const Core& c)
     const V3 h = c.half_extents;
     if (c.kind == Core::Kind::hull) return norm(middle(c)) + c.hull->ball * norm(c.axes.x);
     if (c.kind == Core::Kind::ellipsoid) return norm(c.centre) + largest_coordinate(h);
+    if (c.kind == Core::Kind::box) { // the corner on the far side of the centre
+        const V3 centre = into(c.axes, c.centre);
+        return norm(magnitudes(centre) + h);
+    }
     if (!is_polytope(c)) return norm(c.centre) + std::sqrt(h.x * h.x + h.z * h.z);
     double squared = 0;
     for (int k = 0; k < c.count; ++k)

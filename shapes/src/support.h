@@ -21,11 +21,10 @@ static inline V3 corner(const Core& c, int k)
     const auto bit = static_cast<unsigned>(k);
     if (c.kind == Core::Kind::hull) return c.axes * c.hull->corner(k) + c.centre;
     if (c.kind != Core::Kind::box) return c.points[k];
-    const V3 x = c.half_extents.x * c.axes.x, y = c.half_extents.y * c.axes.y,
-             z = c.half_extents.z * c.axes.z;
-    const V3 on_x = (bit & 1U) != 0 ? c.centre + x : c.centre - x;
-    const V3 on_y = (bit & 2U) != 0 ? on_x + y : on_x - y;
-    return (bit & 4U) != 0 ? on_y + z : on_y - z;
+    const V3 h = c.half_extents;
+    const V3 on_x = c.centre + ((bit & 1U) != 0 ? h.x : -h.x) * c.axes.x;
+    const V3 on_y = on_x + ((bit & 2U) != 0 ? h.y : -h.y) * c.axes.y;
+    return on_y + ((bit & 4U) != 0 ? h.z : -h.z) * c.axes.z;
 }
 
 /// A point of a core, and which corner it is: -1 for shapes that have none.
@@ -39,9 +38,12 @@ static inline SupportPoint farthest(const Core& c, V3 d)
 {
     using enum Core::Kind;
     if (c.kind == box) {
-        const int x = dot(c.axes.x, d) > 0 ? 1 : 0, y = dot(c.axes.y, d) > 0 ? 2 : 0;
-        const int k = x + y + (dot(c.axes.z, d) > 0 ? 4 : 0);
-        return {corner(c, k), k};
+        const double x = dot(c.axes.x, d), y = dot(c.axes.y, d), z = dot(c.axes.z, d);
+        const V3 h = c.half_extents;
+        const int k = (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0) + (z > 0 ? 4 : 0);
+        const V3 on_x = c.centre + (x > 0 ? h.x : -h.x) * c.axes.x;
+        const V3 on_y = on_x + (y > 0 ? h.y : -h.y) * c.axes.y;
+        return {on_y + (z > 0 ? h.z : -h.z) * c.axes.z, k};
     }
     if (c.kind == hull) {
         const int k = farthest(*c.hull, into(c.axes, d));

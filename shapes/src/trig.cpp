@@ -21,6 +21,7 @@ struct Reduced {
 
 Reduced reduce(double angle)
 {
+    if (std::fabs(angle) * two_over_pi < 0.5) return {{angle, 0}, 0};
     const double turns = std::floor(angle * two_over_pi + 0.5);
     const double first =
         angle - turns * half_pi[0]; // exact: both are multiples of 2^-53, the result is below 1

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact_features.h"
+
+#include "nearest.h"
+#include "support.h"
+#include "tolerance.h"
+
+namespace brink {
+
+namespace {
+
+using enum Feature::Kind;
+
+/// Of unit length and in the sense of v; zero where n is.
+V3 facing(V3 n, V3 v)
+{
+    const double length = norm(n);
+    if (!(length > 0)) return {};
+    return (dot(n, v) < 0 ? -1 / length : 1 / length) * n;
+}
+
+/// The common normal of two edges of bodies that turn with w_a and w_b: a normal at right angles to an edge e
+/// that turns with w changes by eta with eta . e = -n . (w x e).
+Axis between_edges(V3 e, V3 rate_a, V3 g, V3 rate_b, V3 v, V3 towards)
+{
+    const double cosine = dot(e, g), rest = 1 - cosine * cosine;
+    if (rest < tolerance::nearly_parallel) return {facing(across(v, e), v), rate_a};
+    const V3 n = facing(cross(e, g), towards);
+    const double along_e = -dot(n, cross(rate_a, e)), along_g = -dot(n, cross(rate_b, g));
+    const V3 eta = ((along_e - cosine * along_g) / rest) * e + ((along_g - cosine * along_e) / rest) * g;
+    return {n, cross(n, eta)};
+}
+
+Axis over_edge(V3 e, V3 rate, V3 v)
+{
+    const V3 n = facing(across(v, e), v);
+    return {n, -dot(n, cross(rate, e)) * cross(n, e)};
+}
+
+Feature edge_between(V3 p, V3 q)
+{
+    const V3 e = q - p;
+    const double length = norm(e);
+    if (!(length > 0)) return {};
+    return {edge, (1 / length) * e};
+}
+
+/// The feature that one to four corners make; of a flat four, three will do.
+Feature feature(const Core& c, int count, const int* corners)
+{
+    const V3 p = corner(c, corners[0]);
+    if (count == 1) return {};
+    const V3 q = corner(c, corners[1]);
+    if (count >= 3) {
+        const V3 n = face_normal(p, q, corner(c, corners[2]));
+        if (!(n == V3{})) return {face, (1 / norm(n)) * n};
+    }
+    return edge_between(p, q);
+}
+
+} // namespace
+
+Axis axis_between(const Feature& a, V3 rate_a, const Feature& b, V3 rate_b, V3 v, V3 towards)
+{
+    if (a.kind == face) return {facing(a.along, towards), rate_a};
+    if (b.kind == face) return {facing(b.along, towards), rate_b};
+    if (a.kind == edge && b.kind == edge) return between_edges(a.along, rate_a, b.along, rate_b, v, towards);
+    if (a.kind == edge) return over_edge(a.along, rate_a, v);
+    if (b.kind == edge) return over_edge(b.along, rate_b, v);
+    return {facing(v, v), {}};
+}
+
+void Corners::Some::add(int k)
+{
+    for (int i = 0; i < count; ++i)
+        if (corner[i] == k) return;
+    corner[count++] = k;
+}
+
+Corners::Corners(const Simplex& s)
+{
+    for (int k = 0; k < s.size; ++k)
+        if (s.corners[k].in_a < 0 || s.corners[k].in_b < 0) return;
+    for (int k = 0; k < s.size; ++k) {
+        in_a_[count_] = s.corners[k].in_a;
+        in_b_[count_++] = s.corners[k].in_b;
+        of_a_.add(s.corners[k].in_a);
+        of_b_.add(s.corners[k].in_b);
+    }
+}
+
+Feature Corners::feature_of_a(const Core& a) const { return feature(a, of_a_.count, of_a_.corner); }
+Feature Corners::feature_of_b(const Core& b) const { return feature(b, of_b_.count, of_b_.corner); }
+
+V3 Corners::between(const Core& a, const Core& b) const { return corner(b, in_b_[0]) - corner(a, in_a_[0]); }
+
+Simplex Corners::simplex(const Core& a, const Core& b) const
+{
+    Simplex s;
+    for (int k = 0; k < count_; ++k) {
+        const V3 on_a = corner(a, in_a_[k]), on_b = corner(b, in_b_[k]);
+        s.add({on_b - on_a, on_a, on_b, in_a_[k], in_b_[k], 0});
+    }
+    return s;
+}
+
+} // namespace brink

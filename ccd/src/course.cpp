@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "course.h"
+
+#include "tolerance.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace brink {
+
+namespace {
+
+double radius(const Core& core) { return core.radius; }
+double radius(const Border&) { return 0; }
+double size(const Core& core) { return core.radius; }
+double size(const Border& border) { return std::fabs(border.offset); }
+
+/// The lengths of one body that roundings are relative to.
+template <class Part> double extent(const Mover<Part>& m)
+{
+    return norm(m.arm) + (1 + m.turn.angle) * m.reach + size(m.part);
+}
+
+} // namespace
+
+template <class Part>
+Course<Part>::Course(const Mover<Core>& a, const Mover<Part>& b, const Options& o)
+    : options(o),
+      radii(a.part.radius + radius(b.part) + o.target_gap),
+      a_(a),
+      b_(b),
+      from_((b.position - a.position) + (b.arm - a.arm)),
+      part_a_(a.part),
+      part_b_(b.part),
+      facing_{{part_a_, {}, a.reach, a.turn.rate, a.turn.angle},
+              {part_b_, from_, b.reach, b.turn.rate, b.turn.angle},
+              b.translation - a.translation,
+              0}
+{
+    const V3 velocity = facing_.velocity;
+    const double distance = norm(b.position - a.position), travel = norm(velocity);
+    const double swing = std::is_same_v<Part, Border> ? norm(from_) + travel + a.reach : b.reach;
+    const double lengths =
+        distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + o.target_gap;
+    tolerance = std::max(o.tolerance, 2 * tolerance::least_slack * lengths);
+    rounding = tolerance::certificate_slack * lengths;
+    slack = std::min(rounding, 0.5 * tolerance);
+    fastest = travel + a.turn.angle * a.reach + b.turn.angle * swing;
+    facing_.margin = radii + slack;
+    window = meeting(a, b, from_, velocity, o.target_gap + slack);
+}
+
+template <class Part> void Course<Part>::go(double time)
+{
+    t_ = time;
+    facing_.b.pivot = from_ + t_ * facing_.velocity;
+    a_.place(part_a_, t_, {});
+    b_.place(part_b_, t_, facing_.b.pivot);
+}
+
+template <class Part> V3 Course<Part>::a_then(V3 point, double time) const
+{
+    return turned(a_.turn, time - t_) * point;
+}
+template <class Part> V3 Course<Part>::b_then(V3 point, double time) const
+{
+    return turned(b_.turn, time - t_) * (point - facing_.b.pivot) + (from_ + time * facing_.velocity);
+}
+template <class Part> V3 Course<Part>::a_seen_from_b(V3 point, double time) const
+{
+    return into(turned(b_.turn, time - t_), a_then(point, time) - (from_ + time * facing_.velocity)) +
+           facing_.b.pivot;
+}
+template <class Part> V3 Course<Part>::b_seen_from_a(V3 point, double time) const
+{
+    return into(turned(a_.turn, time - t_), b_then(point, time));
+}
+
+template <class Part> Toi Course<Part>::answer(Status status, const Separation& s) const
+{
+    Toi toi{.status = status, .t = t_, .iterations = iterations};
+    if (status == Status::touching) toi.t_upper = 0;
+    if (options.detail == Detail::time_only) return toi;
+    const V3 origin = a_.pivot(t_);
+    toi.normal = store(s.normal);
+    toi.point_a = store(origin + s.point_a);
+    toi.point_b = store(origin + s.point_b);
+    toi.gap = s.gap;
+    return toi;
+}
+
+template class Course<Core>;
+template class Course<Border>;
+
+} // namespace brink

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "certificate.h"
+#include "window.h"
+
+#include <brink/toi.h>
+
+namespace brink {
+
+/// Two bodies on their way through the step, seen from A's pivot, and what an answer about them needs.
+template <class Part> class Course {
+public:
+    Course(const Mover<Core>& a, const Mover<Part>& b, const Options& options);
+    Course(const Course&) = delete;
+    Course& operator=(const Course&) = delete;
+
+    /// Moves both to their place at time t.
+    void go(double time);
+    double now() const { return t_; }
+    const Facing<Part>& facing() const { return facing_; }
+    /// Where a point of A now, or of B, is at another time.
+    V3 a_then(V3 point, double time) const;
+    V3 b_then(V3 point, double time) const;
+    /// The place it has at that time beside the other body, where that is now.
+    V3 a_seen_from_b(V3 point, double time) const;
+    V3 b_seen_from_a(V3 point, double time) const;
+    Separation separated() const { return separation(part_a_, part_b_); }
+
+    Toi apart() const { return {.status = Status::separated, .t = options.t_max, .iterations = iterations}; }
+    /// An answer at this time, with a contact as far as the caller wants one.
+    Toi answer(Status, const Separation&) const;
+    /// Whether nothing that turns makes a difference.
+    bool translates() const { return a_.turn.angle == 0 && b_.turn.angle == 0; }
+
+    const Options& options;
+    double rounding = 0;  // of a gap, at most
+    double slack = 0;     // what rounding can take off a bound
+    double tolerance = 0; // how near counts as there
+    double fastest = 0;   // no gap changes faster
+    double radii = 0;     // with the target gap
+    Window window;
+    int iterations = 0; // distance evaluations
+
+private:
+    const Mover<Core>& a_;
+    const Mover<Part>& b_;
+    V3 from_; // from A's pivot to B's at the start
+    double t_ = 0;
+    Core part_a_; // placed
+    Part part_b_;
+    Facing<Part> facing_;
+};
+
+} // namespace brink

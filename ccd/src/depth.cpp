@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth.h"
+
+#include "hull_data.h"
+
+#include <algorithm>
+
+namespace brink {
+
+double depth(const Core& c, V3 point)
+{
+    const V3 p = into(c.axes, point - c.centre), h = c.half_extents;
+    const double across = std::sqrt(p.x * p.x + p.y * p.y);
+    switch (c.kind) {
+    case Core::Kind::box:
+        return std::min({h.x - std::fabs(p.x), h.y - std::fabs(p.y), h.z - std::fabs(p.z)});
+    case Core::Kind::cylinder:
+        return std::min(h.z - std::fabs(p.z), h.x - across);
+    case Core::Kind::cone: { // the base, and the side, which falls by 2 h.z over h.x
+        const double slant = std::sqrt(h.x * h.x + 4 * h.z * h.z);
+        return std::min(h.z + p.z, ((h.z - p.z) * h.x - 2 * h.z * across) / slant);
+    }
+    case Core::Kind::ellipsoid: { // a part of the way out that is left in every direction
+        const V3 q{p.x / h.x, p.y / h.y, p.z / h.z};
+        return (1 - norm(q)) * std::min({h.x, h.y, h.z});
+    }
+    case Core::Kind::hull: { // its axes are not of unit length
+        const double square = norm_squared(c.axes.x);
+        double least = c.hull->faces.empty() ? -infinity : infinity;
+        for (const HullFace& f : c.hull->faces)
+            least = std::min(least, f.offset - dot(f.normal, p) / square);
+        return std::sqrt(square) * least;
+    }
+    default:
+        return -infinity;
+    }
+}
+
+} // namespace brink

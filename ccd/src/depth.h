@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core.h"
+
+namespace brink {
+
+/// How deep a point lies inside a core, at least: no ball of that radius about it reaches out. Negative
+/// outside, and -infinity where a core has no inside or its faces are not known.
+double depth(const Core&, V3 point);
+
+} // namespace brink

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "leave.h"
+
+#include "contact_features.h"
+#include "support.h"
+#include "tolerance.h"
+
+#include <algorithm>
+
+namespace brink {
+
+namespace {
+
+/// The edges of a body that lie in its supporting plane: one, or some of a face's. Without any, a corner
+/// stands for them.
+struct Edges {
+    int count = 0;
+    Feature feature[3];
+};
+
+Edges edges_across(const Core& body, V3 axis)
+{
+    Edges edges;
+    if (!is_polytope(body)) return edges;
+    const int nearest = farthest(body, axis).corner;
+    const V3 top = corner(body, nearest);
+    for (int k = 0; k < body.count && edges.count < 3; ++k) {
+        const V3 along = corner(body, k) - top;
+        const double length = norm(along);
+        if (length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length)
+            edges.feature[edges.count++] = {Feature::Kind::edge, (1 / length) * along};
+    }
+    if (body.kind == Core::Kind::triangle && edges.count == 2) {
+        const V3 along = body.points[(nearest + 1) % 3] - body.points[(nearest + 2) % 3];
+        const double length = norm(along);
+        if (length > 0) edges.feature[edges.count++] = {Feature::Kind::edge, (1 / length) * along};
+    }
+    return edges;
+}
+
+/// The longest time over which some axis proves that the gap does not fall: at rest, glued to A, glued to B,
+/// and following the edges that touch.
+double rising(const Facing<Core>& f, V3 normal, double horizon)
+{
+    double h = rising_step(f, Axis{normal, {}}, horizon);
+    const auto better = [&](V3 spin) {
+        if (!(spin == V3{}) && h < horizon) h = std::max(h, rising_step(f, Axis{normal, spin}, horizon));
+    };
+    better(f.a.rate);
+    better(f.b.rate);
+    const Edges of_a = edges_across(f.a.part, normal), of_b = edges_across(f.b.part, -normal);
+    const bool faces = of_a.count > 1 || of_b.count > 1;
+    if (faces && h > tolerance::standstill * horizon) return h;
+    for (int i = 0; i < std::max(1, of_a.count); ++i)
+        for (int k = 0; k < std::max(1, of_b.count); ++k)
+            better(axis_between(of_a.feature[i], f.a.rate, of_b.feature[k], f.b.rate, normal, normal).spin);
+    return h;
+}
+double rising(const Facing<Border>& f, V3 normal, double horizon)
+{
+    return rising_step(f, Axis{normal, f.b.rate}, horizon);
+}
+
+/// Whether the gap is proven not to decrease as two bodies translate: its rate is more than rounding, or zero
+/// in every term.
+bool parting(V3 normal, V3 velocity)
+{
+    const V3 terms{normal.x * velocity.x, normal.y * velocity.y, normal.z * velocity.z};
+    const double rate = terms.x + terms.y + terms.z;
+    return rate > tolerance::rate_slack * norm(velocity) || terms == V3{};
+}
+
+template <class Part> class Leaving {
+public:
+    Leaving(Course<Part>& course, const Separation& now)
+        : course_(course),
+          now_(now),
+          start_(course.answer(Status::touching, now)),
+          blind_(course.options.start_contact == StartContact::ignore)
+    {
+    }
+    std::optional<Toi> run();
+
+private:
+    double gap() const { return now_.gap - course_.options.target_gap; }
+    double step_away() const;
+    std::optional<Toi> move(double step, double t_end);
+    std::optional<Toi> beyond() const
+    {
+        if (course_.now() > course_.options.t_max) return course_.apart();
+        return {};
+    }
+    Toi touching()
+    {
+        start_.iterations = course_.iterations;
+        return start_;
+    }
+
+    Course<Part>& course_;
+    Separation now_;
+    Toi start_;
+    bool blind_; // the way out of contact need not be proven
+};
+
+/// Goes on by `step`, unless that passes `t_end` or the budget is spent.
+template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double t_end)
+{
+    const double next = course_.now() + step;
+    if (next > t_end || next >= course_.window.end) return course_.apart();
+    if (course_.iterations >= course_.options.max_iterations) return course_.answer(Status::undecided, now_);
+    course_.go(next);
+    ++course_.iterations;
+    now_ = course_.separated();
+    return {};
+}
+
+/// A step from a pose within the tolerance of contact, over which the gap provably does not fall below what
+/// it is: 0 if none is proven that could be told from standing still. From deeper down it also ends before
+/// the gap can reach the target, lest it pass over a time of separation and the contact after it; where it
+/// must not fall at all, at a quarter of that, so that poses are looked at often enough to see it fall again.
+template <class Part> double Leaving<Part>::step_away() const
+{
+    const double share = blind_ ? 1 : 0.25;
+    const double least = course_.tolerance / course_.fastest, shallow = share * -gap() / course_.fastest;
+    const double way = rising(course_.facing(), now_.normal, course_.window.end - course_.now());
+    if (!(way >= least)) return 0;
+    return gap() < -course_.tolerance ? std::min(way, shallow) : way;
+}
+
+/// By steps over which the gap does not fall, or else (`ignore` only) cannot exceed the target by more than
+/// the tolerance. It does not look at t_max, on which `touching` must not depend.
+template <class Part> std::optional<Toi> Leaving<Part>::run()
+{
+    const double t_max = course_.options.t_max, tolerance = course_.tolerance;
+    bool apart = false;
+    while (gap() <= tolerance) {
+        apart = apart || gap() > 0;
+        double step = step_away();
+        if (step == 0) {
+            if (apart) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
+            if (!blind_) return touching();
+            step = std::max(-gap(), tolerance) / course_.fastest;
+        }
+        const std::optional<Toi> end = move(step, blind_ ? t_max : 1);
+        if (!end) continue;
+        if (apart && end->t > t_max) return course_.apart();
+        return end->status == Status::separated || blind_ || apart ? end : touching();
+    }
+    return beyond();
+}
+
+} // namespace
+
+template <class Part> std::optional<Toi> leave(Course<Part>& course, const Separation& now)
+{
+    return Leaving<Part>(course, now).run();
+}
+
+template <class Part> std::optional<Toi> leave_contact(Course<Part>& course, const Separation& now)
+{
+    const StartContact wish = course.options.start_contact;
+    if (wish == StartContact::report) return course.answer(Status::touching, now);
+    if (!course.translates()) return leave(course, now);
+    // Convex bodies that only translate have a convex gap over time: once it does not fall it never does.
+    if (wish == StartContact::ignore || parting(now.normal, course.facing().velocity)) return course.apart();
+    return course.answer(Status::touching, now);
+}
+
+template std::optional<Toi> leave(Course<Core>&, const Separation&);
+template std::optional<Toi> leave(Course<Border>&, const Separation&);
+template std::optional<Toi> leave_contact(Course<Core>&, const Separation&);
+template std::optional<Toi> leave_contact(Course<Border>&, const Separation&);
+
+} // namespace brink

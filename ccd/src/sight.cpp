@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sight.h"
+
+#include "nearest.h"
+#include "support.h"
+
+namespace brink {
+
+namespace {
+
+using enum Core::Kind;
+
+V3 direction(const Core& segment)
+{
+    return segment.kind == point ? V3{} : segment.points[1] - segment.points[0];
+}
+
+Feature edge_feature(V3 d, double at)
+{
+    const double length = norm(d);
+    if (!(at > 0 && at < 1 && length > 0)) return {};
+    return {Feature::Kind::edge, (1 / length) * d};
+}
+
+Sight seen(const Facing<Core>& f, const Feature& a, const Feature& b, V3 point_a, V3 v)
+{
+    Sight s;
+    s.upper = norm(v);
+    s.point_a = point_a;
+    s.v = v;
+    if (s.upper > 0) s.normal = (1 / s.upper) * v;
+    s.axis = axis_between(a, f.a.rate, b, f.b.rate, v, v);
+    return s;
+}
+
+Sight look_at_segments(const Facing<Core>& f)
+{
+    const Core &a = f.a.part, &b = f.b.part;
+    const V3 d = direction(a), e = direction(b), r = b.points[0] - a.points[0];
+    const auto [s, t] = nearest_parameters(r, d, e);
+    return seen(f, edge_feature(d, s), edge_feature(e, t), a.points[0] + s * d, r + t * e - s * d);
+}
+
+/// The part of a box that lies nearest, by which of its sides v leads away from.
+Feature box_feature(const Core& box, V3 local)
+{
+    const bool x = local.x != 0, y = local.y != 0, z = local.z != 0;
+    switch (static_cast<int>(x) + static_cast<int>(y) + static_cast<int>(z)) {
+    case 1:
+        return {Feature::Kind::face, x ? box.axes.x : y ? box.axes.y : box.axes.z};
+    case 2:
+        return {Feature::Kind::edge, !x ? box.axes.x : !y ? box.axes.y : box.axes.z};
+    default:
+        return {};
+    }
+}
+
+struct FromBox {
+    V3 v; // from the point to the box
+    Feature feature;
+};
+FromBox from_box(V3 p, const Core& box)
+{
+    const V3 local = to_box(into(box.axes, p - box.centre), box.half_extents);
+    return {box.axes * local, box_feature(box, local)};
+}
+
+Sight look_at_point_box(const Facing<Core>& f)
+{
+    const V3 p = f.a.part.points[0];
+    const auto [v, feature] = from_box(p, f.b.part);
+    return seen(f, {}, feature, p, v);
+}
+
+Sight look_at_box_point(const Facing<Core>& f)
+{
+    const V3 p = f.b.part.points[0];
+    const auto [v, feature] = from_box(p, f.a.part);
+    return seen(f, feature, {}, p + v, -v);
+}
+
+/// The corner of the difference that lies farthest against a normal: where GJK may begin.
+Simplex towards(const Core& a, const Core& b, V3 normal)
+{
+    const SupportPoint on_a = farthest(a, normal), on_b = farthest(b, -normal);
+    Simplex s;
+    s.add({on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1});
+    return s;
+}
+
+} // namespace
+
+Watch::Method Watch::method(const Core& a, const Core& b)
+{
+    const auto thin = [](const Core& c) { return c.kind == point || c.kind == segment; };
+    if (thin(a) && thin(b)) return Method::segments;
+    if (a.kind == point && b.kind == box) return Method::point_box;
+    if (a.kind == box && b.kind == point) return Method::box_point;
+    if (a.kind == box && b.kind == box) return Method::boxes;
+    return Method::any;
+}
+
+Watch::Watch(const Core& a, const Core& b, double nearby) : method_(method(a, b)), nearby_(nearby)
+{
+    // Separating axes see the distance of boxes only where they touch.
+    if (method_ == Method::boxes && a.radius + b.radius > 0) method_ = Method::any;
+}
+
+Sight Watch::look(const Facing<Core>& f)
+{
+    switch (method_) {
+    case Method::segments:
+        return look_at_segments(f);
+    case Method::point_box:
+        return look_at_point_box(f);
+    case Method::box_point:
+        return look_at_box_point(f);
+    case Method::boxes:
+        return look_at_boxes(f);
+    case Method::any:
+        break;
+    }
+    return look_by_gjk(f);
+}
+
+Sight Watch::look_at_boxes(const Facing<Core>& f)
+{
+    const BoxAxis best = box_axis(f.a.part, f.b.part);
+    box_index_ = best.index;
+    towards_ = best.normal;
+    Sight s = follow(f);
+    s.normal = best.normal;
+    if (best.gap > nearby_) return s;
+    land(f, s);
+    if (s.upper <= nearby_) return s;
+    method_ = Method::any; // past the ends of both features: no separating axis shows that distance
+    return look_by_gjk(f);
+}
+
+Sight Watch::look_by_gjk(const Facing<Core>& f)
+{
+    const Core &a = f.a.part, &b = f.b.part;
+    const double scale = f.a.reach + f.b.reach + norm(f.b.pivot);
+    const Simplex start = corners_.known()   ? corners_.simplex(a, b)
+                          : towards_ == V3{} ? Simplex{}
+                                             : towards(a, b, towards_);
+    const bool smooth = a.count == 0 || b.count == 0;
+    const Nearness near{tolerance::tight * scale, smooth ? 1e-6 : 1e-12};
+    Closest c = gjk(a, b, near, start);
+    // Rounding may close a flat simplex over the origin: the last axis knows whether they are apart.
+    if (c.inside && gap_along(a, b, towards_) > 0) c = gjk(a, b, near, towards(a, b, towards_));
+    if (c.inside || c.normal == V3{}) return look_hard(f);
+    Sight s;
+    s.normal = towards_ = c.normal;
+    s.upper = norm(c.v);
+    s.point_a = c.point_a;
+    s.v = c.v;
+    corners_ = Corners(c.simplex);
+    s.guessed = !corners_.known();
+    s.axis = {c.normal, {}};
+    if (!s.guessed)
+        s.axis = axis_between(corners_.feature_of_a(a), f.a.rate, corners_.feature_of_b(b), f.b.rate, c.v,
+                              towards_);
+    return s;
+}
+
+Sight Watch::look_hard(const Facing<Core>& f)
+{
+    const Separation n = separation(f.a.part, f.b.part);
+    const double radius_a = f.a.part.radius, radii = radius_a + f.b.part.radius;
+    Sight s;
+    s.normal = n.normal;
+    s.axis = {n.normal, {}};
+    s.guessed = true;
+    s.upper = n.gap + radii;
+    s.point_a = n.point_a - radius_a * n.normal;
+    s.v = s.upper * n.normal;
+    return s;
+}
+
+Sight Watch::follow(const Facing<Core>& f) const
+{
+    const Core &a = f.a.part, &b = f.b.part;
+    Sight s;
+    if (method_ == Method::boxes)
+        s.axis = axis_between(feature_of_a(a, box_index_), f.a.rate, feature_of_b(b, box_index_), f.b.rate,
+                              towards_, towards_);
+    else
+        s.axis = axis_between(corners_.feature_of_a(a), f.a.rate, corners_.feature_of_b(b), f.b.rate,
+                              corners_.between(a, b), towards_);
+    return s;
+}
+
+void Watch::land(const Facing<Core>& f, Sight& s) const
+{
+    if (method_ == Method::boxes) {
+        const Witness w = box_witness(f.a.part, f.b.part, box_index_, s.axis.normal);
+        s.point_a = w.point_a;
+        s.v = w.v;
+    } else {
+        Simplex simplex = corners_.simplex(f.a.part, f.b.part);
+        simplex.reduce();
+        if (simplex.size == 4) return;
+        s.point_a = simplex.on_a();
+        s.v = simplex.point();
+    }
+    s.upper = norm(s.v);
+}
+
+Sight BorderWatch::look(const Facing<Border>& f)
+{
+    const Separation n = separation(f.a.part, f.b.part);
+    const double radius = f.a.part.radius;
+    Sight s;
+    s.normal = n.normal;
+    s.axis = {n.normal, f.b.rate};
+    s.upper = n.gap + radius;
+    s.point_a = n.point_a - radius * n.normal;
+    s.v = s.upper * n.normal;
+    return s;
+}
+
+} // namespace brink

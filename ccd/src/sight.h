@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "box_axes.h"
+#include "certificate.h"
+#include "contact_features.h"
+
+namespace brink {
+
+/// What a look at two bodies shows.
+struct Sight {
+    Axis axis;               // as their features ask for; zero where they ask for none
+    V3 normal;               // the axis of the distance itself; zero where none was found
+    bool guessed = false;    // the axis' spin is a guess: other ones may do better
+    double upper = infinity; // a distance between points of the cores, radii left out, where one was taken
+    V3 point_a, v;           // those points: v leads from A's to B's
+};
+
+/// Looks at two bounded bodies as they move on, each in the cheapest way that serves.
+class Watch {
+public:
+    /// Witness points farther apart than `nearby` need not be found.
+    Watch(const Core& a, const Core& b, double nearby);
+
+    /// An evaluation of the distance.
+    Sight look(const Facing<Core>&);
+    /// The same by the longest way, which nothing can lead astray.
+    static Sight look_hard(const Facing<Core>&);
+    /// Whether the features last seen can be followed without an evaluation.
+    bool can_follow() const { return method_ == Method::boxes || corners_.known(); }
+    /// The axis that the features last seen ask for now.
+    Sight follow(const Facing<Core>&) const;
+    /// Fills in the nearest points of those features.
+    void land(const Facing<Core>&, Sight&) const;
+
+private:
+    enum class Method : unsigned char { segments, point_box, box_point, boxes, any };
+    static Method method(const Core& a, const Core& b);
+    Sight look_at_boxes(const Facing<Core>&);
+    Sight look_by_gjk(const Facing<Core>&);
+
+    Method method_;
+    double nearby_;
+    Corners corners_;   // of the simplex last seen
+    int box_index_ = 0; // the axis last seen
+    V3 towards_;        // the normal last seen
+};
+
+/// Looks at a body and a plane or half-space, which takes no more than support points.
+class BorderWatch {
+public:
+    BorderWatch(const Core&, const Border&, double) {}
+    static Sight look(const Facing<Border>&);
+    static Sight look_hard(const Facing<Border>& f) { return look(f); }
+    static bool can_follow() { return false; }
+    static Sight follow(const Facing<Border>& f) { return look(f); }
+    static void land(const Facing<Border>&, const Sight&) {}
+};
+
+} // namespace brink
