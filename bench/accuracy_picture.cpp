@@ -27,6 +27,7 @@ do for [format in 'svg png'] {
     }
     set output 'accuracy.' . format
     set multiplot
+    unset key
     set label 1 headline at screen 0.5, 0.955 center font large
     set label 2 'error of t (fractions of the step, logarithmic; left is better)' at screen 0.53, 0.045 center
     set logscale xy
@@ -46,22 +47,24 @@ do for [format in 'svg png'] {
         if (k == 1) {
             set ytics ('100 ns' 100, '200' 200, '500' 500, '1 µs' 1000, '2 µs' 2000, '5 µs' 5000, '10 µs' 10000, '20 µs' 20000, '50 µs' 50000, '100 µs' 100000) font small
             set ylabel 'mean time per hit (logarithmic)' offset -1, 0
-            set key at screen 0.53, 0.885 center maxrows 1 horizontal Left reverse samplen 3 width 2
+            set label 4 'brink, median hit' at screen 0.12, 0.875 left point pointtype 7 pointsize 1.2 linecolor rgb colour[1] offset 1.2, 0
+            set label 5 'brink, worst hit' at screen 0.32, 0.875 left point pointtype 6 pointsize 1.2 linewidth 2 linecolor rgb colour[1] offset 1.2, 0
+            set label 6 'FCL advancement, median hit' at screen 0.51, 0.875 left point pointtype 5 pointsize 1.8 linecolor rgb colour[2] offset 1.2, 0
+            set label 7 'FCL, worst hit' at screen 0.81, 0.875 left point pointtype 4 pointsize 1.8 linewidth 3 linecolor rgb colour[2] offset 1.2, 0
         } else {
             set ytics ('' 100, '' 200, '' 500, '' 1000, '' 2000, '' 5000, '' 10000, '' 20000, '' 50000, '' 100000)
             unset ylabel
-            unset key
         }
         plot $points using (pick(k, 0, 5)):4 with linespoints linewidth 3 pointtype 7 pointsize 1.2 \
-                 linecolor rgb colour[1] title 'brink, median', \
+                 linecolor rgb colour[1], \
              $points using (pick(k, 0, 6)):4 with linespoints linewidth 2 dashtype 2 pointtype 6 pointsize 1.2 \
-                 linecolor rgb colour[1] title 'brink, largest', \
+                 linecolor rgb colour[1], \
              $points using (pick(k, 1, 5)):4 with points pointtype 5 pointsize 1.8 linewidth 2 \
-                 linecolor rgb colour[2] title 'FCL advancement, median', \
+                 linecolor rgb colour[2], \
              $points using (pick(k, 1, 6)):4 with points pointtype 4 pointsize 1.8 linewidth 3 \
-                 linecolor rgb colour[2] title 'FCL, largest', \
-             $points using (named(k) ? column(5) : NaN):4:(sprintf('10^{%.0f}', log10(column(3)))) with labels \
-                 offset 0, -1.1 font small textcolor rgb colour[1] notitle
+                 linecolor rgb colour[2], \
+             $points using (named(k) ? column(6) : NaN):4:(sprintf('10^{%.0f}', log10(column(3)))) with labels \
+                 offset 0, -1.1 font small textcolor rgb colour[1]
         unset label
     }
     unset multiplot

@@ -18,7 +18,8 @@
 namespace brink::bench {
 namespace {
 
-constexpr int repetitions = 15;
+constexpr int still_repetitions = 15;
+constexpr int turning_repetitions = 7;
 constexpr std::size_t still_queries = 262'144;
 constexpr std::size_t turning_queries = 131'072; // half of them hit
 constexpr std::size_t fcl_queries = 4'096;
@@ -97,8 +98,10 @@ public:
 
     std::vector<Timing> run()
     {
-        Progress progress(fmt::format("pairs, {}", build_name()),
-                          static_cast<int>(jobs_.size()) * (repetitions + 1));
+        int steps = 0;
+        for (const Job& job : jobs_)
+            steps += job.timing.repetitions + 1;
+        Progress progress(fmt::format("pairs, {}", build_name()), steps);
         measure_repetitions(progress);
         std::vector<Timing> timings;
         for (Job& job : jobs_) {
@@ -122,7 +125,7 @@ private:
             timing.who = who;
             timing.what = what;
             timing.queries = static_cast<int>(count);
-            timing.repetitions = repetitions;
+            timing.repetitions = turning == Turning::none ? still_repetitions : turning_repetitions;
             jobs_.push_back({timing, turning, &sample, &pairs});
         };
         add_job(build_name(), "mixed", sample.mixed, queries);
@@ -152,7 +155,7 @@ private:
                                              progress.step();
                                          })
                 ->Iterations(static_cast<benchmark::IterationCount>(jobs_[i].queries()))
-                ->Repetitions(repetitions)
+                ->Repetitions(jobs_[i].timing.repetitions)
                 ->ReportAggregatesOnly();
         }
         std::string name = "brink-bench";
