@@ -188,8 +188,10 @@ TEST_CASE("the README's table of pairs is the library's own")
 {
     std::ifstream readme(BRINK_SOURCE_DIR "/README.md");
     REQUIRE(readme);
-    const std::map<Method, std::string> mark{
-        {Method::closed_form, "exact"}, {Method::advancement, "advance"}, {Method::none, "-"}};
+    const std::map<Method, std::string> mark{{Method::closed_form, "exact"},
+                                             {Method::direct, "direct"},
+                                             {Method::advancement, "advance"},
+                                             {Method::none, "-"}};
     std::size_t rows = 0;
     for (std::string line; std::getline(readme, line);) {
         std::istringstream cells(line);

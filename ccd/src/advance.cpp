@@ -34,6 +34,7 @@ private:
     bool spent() const { return course_.iterations >= course_.options.max_iterations; }
     Separation measured();
     Separation contact() const;
+    V3 axis() const { return sight_.axis.normal == V3{} ? sight_.normal : sight_.axis.normal; }
     void look();
     void go_on(double t, const Step&);
     Step first_step() const;
@@ -44,6 +45,7 @@ private:
     bool in_contact(double later);
     Toi go_on_from(const Separation& start);
     Toi approach();
+    Toi approach_anew();
 
     Course<Part> course_;
     WatchOf<Part> watch_;
@@ -151,20 +153,35 @@ template <class Part> Toi Advance<Part>::approach()
     }
 }
 
-/// The contact that the last look shows.
+/// The same from where the way out of contact has ended.
+template <class Part> Toi Advance<Part>::approach_anew()
+{
+    if (spent()) return course_.answer(Status::undecided, course_.separated());
+    look();
+    return approach();
+}
+
+/// The contact that the last look shows, where its axis proves what its points say; else another look.
 template <class Part> Separation Advance<Part>::contact() const
 {
-    if (sight_.upper == infinity) return course_.separated();
-    const Facing<Part>& f = course_.facing();
-    const V3 n = sight_.axis.normal == V3{} ? sight_.normal : sight_.axis.normal;
-    const double apart = dot(sight_.v, n), gap = apart - (course_.radii - course_.options.target_gap);
-    const V3 point_a = sight_.point_a + f.a.part.radius * n;
-    return {gap, gap, n, point_a, point_a + gap * n};
+    if constexpr (std::is_same_v<Part, Core>) {
+        const Core &a = course_.facing().a.part, &b = course_.facing().b.part;
+        const V3 n = axis();
+        const double apart = dot(sight_.v, n), rounding = tolerance::shown * course_.rounding;
+        if (sight_.upper < infinity && norm(sight_.v - apart * n) <= rounding &&
+            apart - gap_along(a, b, n) <= rounding) {
+            const double gap = apart - (a.radius + b.radius);
+            const V3 point_a = sight_.point_a + a.radius * n;
+            return {gap, gap, n, point_a, point_a + gap * n};
+        }
+    }
+    return course_.separated();
 }
 
 template <class Part> Toi Advance<Part>::hit()
 {
-    Toi toi = course_.answer(Status::hit, contact());
+    const bool told = course_.options.detail == Detail::contact;
+    Toi toi = course_.answer(Status::hit, told ? contact() : Separation{});
     toi.t_upper = contact_by();
     toi.iterations = course_.iterations;
     return toi;
@@ -173,13 +190,13 @@ template <class Part> Toi Advance<Part>::hit()
 /// A time by which contact has begun for certain; infinity where that is not proven.
 template <class Part> double Advance<Part>::contact_by()
 {
-    const V3 n = sight_.axis.normal == V3{} ? sight_.normal : sight_.axis.normal;
+    const V3 n = axis();
     const double closing = closing_speed(course_.facing(), Axis{n, sight_.axis.spin});
     const double gap = std::max(0.0, dot(sight_.v, n) - course_.radii);
     if (!(closing > 0)) return infinity;
     for (const double deep : {8 * course_.rounding, 2 * course_.tolerance + 64 * course_.rounding}) {
-        const double later = course_.now() + 2 * (gap + deep) / closing;
-        if (later <= 1 && in_contact(later)) return later;
+        const double later = std::min(course_.now() + 2 * (gap + deep) / closing, course_.options.t_max);
+        if (in_contact(later)) return later;
     }
     return infinity;
 }
@@ -194,13 +211,15 @@ template <class Part> bool Advance<Part>::in_contact(double later)
         course_.go(now);
         return gap + course_.rounding <= course_.options.target_gap;
     } else {
-        const V3 a = sight_.point_a, b = a + sight_.v;
-        if (course_.radii > 0)
-            return norm(course_.b_then(b, later) - course_.a_then(a, later)) + course_.rounding <=
-                   course_.radii;
         const Facing<Core>& f = course_.facing();
-        return depth(f.b.part, course_.a_seen_from_b(a, later)) > course_.rounding ||
-               depth(f.a.part, course_.b_seen_from_a(b, later)) > course_.rounding;
+        const auto at = course_.later(later);
+        const V3 a = at.turn_a * sight_.point_a;
+        const V3 b = at.turn_b * (sight_.point_a + sight_.v - f.b.pivot) + at.pivot_b;
+        if (course_.radii > 0) return norm(b - a) + course_.rounding <= course_.radii;
+        // Each body stays where it is, and the other's point goes where it will be beside it.
+        const V3 beside_b = into(at.turn_b, a - at.pivot_b) + f.b.pivot;
+        return depth(f.b.part, beside_b) > course_.rounding ||
+               depth(f.a.part, into(at.turn_a, b)) > course_.rounding;
     }
 }
 
@@ -208,7 +227,7 @@ template <class Part> Toi Advance<Part>::go_on_from(const Separation& start)
 {
     if (start.gap - course_.options.target_gap <= course_.tolerance) {
         if (const std::optional<Toi> end = leave(course_, start)) return *end;
-        look();
+        return approach_anew();
     }
     return approach();
 }
@@ -228,8 +247,7 @@ template <class Part> Toi Advance<Part>::from_contact()
     course_.go(0);
     const Separation start = measured();
     if (const std::optional<Toi> end = leave_contact(course_, start)) return *end;
-    look();
-    return approach();
+    return approach_anew();
 }
 
 template <class Part> std::optional<Toi> Advance<Part>::from_proven_contact()
@@ -238,8 +256,7 @@ template <class Part> std::optional<Toi> Advance<Part>::from_proven_contact()
     const Separation start = measured();
     if (!(start.gap - course_.options.target_gap < -course_.rounding)) return {};
     if (const std::optional<Toi> end = leave_contact(course_, start)) return end;
-    look();
-    return approach();
+    return approach_anew();
 }
 
 template <class Part> void Advance<Part>::describe(Toi& toi)

@@ -37,7 +37,7 @@ public:
         }
     }
     /// The line of the point that lies farthest along the axis, or against it where `side` is -1.
-    Piece extreme(double h, double side) const
+    [[gnu::always_inline]] Piece extreme(double h, double side) const
     {
         const Core& c = body_.part;
         if (c.kind == Core::Kind::box) {
@@ -90,7 +90,8 @@ struct Bend {
     V3 now; // the second derivative of n . x now is x . now
 };
 
-template <class Part> Bend bend(const Posed<Part>& body, const Axis& n, double spin)
+template <class Part>
+[[gnu::always_inline]] inline Bend bend(const Posed<Part>& body, const Axis& n, double spin)
 {
     const V3 relative = body.rate - n.spin;
     if (relative == V3{}) return {}; // the axis is glued to it

@@ -58,24 +58,6 @@ template <class Part> void Course<Part>::go(double time)
     b_.place(part_b_, t_, facing_.b.pivot);
 }
 
-template <class Part> V3 Course<Part>::a_then(V3 point, double time) const
-{
-    return turned(a_.turn, time - t_) * point;
-}
-template <class Part> V3 Course<Part>::b_then(V3 point, double time) const
-{
-    return turned(b_.turn, time - t_) * (point - facing_.b.pivot) + (from_ + time * facing_.velocity);
-}
-template <class Part> V3 Course<Part>::a_seen_from_b(V3 point, double time) const
-{
-    return into(turned(b_.turn, time - t_), a_then(point, time) - (from_ + time * facing_.velocity)) +
-           facing_.b.pivot;
-}
-template <class Part> V3 Course<Part>::b_seen_from_a(V3 point, double time) const
-{
-    return into(turned(a_.turn, time - t_), b_then(point, time));
-}
-
 template <class Part> Toi Course<Part>::answer(Status status, const Separation& s) const
 {
     Toi toi{.status = status, .t = t_, .iterations = iterations};

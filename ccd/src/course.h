@@ -19,12 +19,15 @@ public:
     void go(double time);
     double now() const { return t_; }
     const Facing<Part>& facing() const { return facing_; }
-    /// Where a point of A now, or of B, is at another time.
-    V3 a_then(V3 point, double time) const;
-    V3 b_then(V3 point, double time) const;
-    /// The place it has at that time beside the other body, where that is now.
-    V3 a_seen_from_b(V3 point, double time) const;
-    V3 b_seen_from_a(V3 point, double time) const;
+    /// Where the pivots are and how far the bodies have turned from now to another time.
+    struct Later {
+        Rotation turn_a, turn_b;
+        V3 pivot_b;
+    };
+    Later later(double time) const
+    {
+        return {turned(a_.turn, time - t_), turned(b_.turn, time - t_), from_ + time * facing_.velocity};
+    }
     Separation separated() const { return separation(part_a_, part_b_); }
 
     Toi apart() const { return {.status = Status::separated, .t = options.t_max, .iterations = iterations}; }

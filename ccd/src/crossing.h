@@ -2,6 +2,7 @@
 #pragma once
 
 #include "approach.h"
+#include "lanes.h"
 #include "tolerance.h"
 
 /// From a guess at the touching feature to a time that is proven: a point that moves against a polytope grown
@@ -20,7 +21,8 @@ struct Reach {
 /// `extents`: how far the turned points of both shapes lie from their origins.
 static inline Reach reach(const Approach& m, double radius, double extents)
 {
-    const double lengths = norm(m.from) + norm(m.by) + radius, all = lengths + extents;
+    const Two path = square_root(Two{norm_squared(m.from), norm_squared(m.by)});
+    const double lengths = path[0] + path[1] + radius, all = lengths + extents;
     const double slack = tolerance::axis_slack * lengths + tolerance::turning_slack * extents;
     return {radius, slack, tolerance::guess_slack * all, slack > tolerance::strained * all, lengths};
 }
@@ -35,10 +37,10 @@ struct Crossing {
 
     bool blurred() const { return t_upper - t > tolerance::blur * t_upper; }
 };
-static inline Crossing crossing(double above, double rate, double slack)
+static inline Crossing crossing(double above, double rate, double slack,
+                                double depth = tolerance::witness_depth)
 {
-    return {(above - slack) / rate, (above + tolerance::witness_depth * slack) / rate,
-            rate > 0 && above > slack};
+    return {(above - slack) / rate, (above + depth * slack) / rate, rate > 0 && above > slack};
 }
 
 /// The entry along `axis`, given the point's least height over the polytope along it at t = 0. `nearest`
@@ -60,6 +62,20 @@ template <class Nearest, class Later>
     const double inner = r.radius - r.slack;
     if (!(inner > 0 && norm_squared(deep - nearest(deep)) <= squared(inner))) return {.t = early};
     return {c.t_upper > m.t_max ? Found::doubt : Found::hit, c.t, c.t_upper, Meeting{at, met, -axis, false}};
+}
+
+/// The same without an end, and what it found cut at t_max: for pairs whose doubts go to the advancement,
+/// which must not come out otherwise for another t_max. Contact not proven by t_max is still told.
+static inline Approach endless(const Approach& m)
+{
+    return {m.from, m.by, m.target_gap, infinity, m.motion_a, m.motion_b};
+}
+static inline Entry cut(Entry e, double t_max)
+{
+    if (e.found != Found::hit) return e;
+    if (e.t > t_max) return {.found = Found::apart};
+    if (e.t_upper > t_max) e.t_upper = infinity;
+    return e;
 }
 
 /// The same against a flat face: the point proven to enter the slab of the radius between the face's sides.

@@ -21,6 +21,46 @@ static inline XYZ<Two> pair(V3 a, V3 b) { return {Two{a.x, b.x}, Two{a.y, b.y}, 
 
 static inline Two select(TwoFlags which, Two yes, Two no) { return which ? yes : no; }
 
+static inline Two magnitude(Two v)
+{
+    return reinterpret_cast<Two>(reinterpret_cast<TwoFlags>(v) & ~reinterpret_cast<TwoFlags>(both(-0.0)));
+}
+
+/// -v where `way` is positive, v where it is negative.
+static inline Two against(Two v, Two way)
+{
+    const TwoFlags sign = reinterpret_cast<TwoFlags>(way) & reinterpret_cast<TwoFlags>(both(-0.0));
+    return reinterpret_cast<Two>(reinterpret_cast<TwoFlags>(-v) ^ sign);
+}
+
+/// The first where it is larger or smaller, else the second; so the second where either is NaN.
+static inline Two larger(Two a, Two b)
+{
+#ifdef __SSE2__
+    return _mm_max_pd(a, b);
+#else
+    return select(a > b, a, b);
+#endif
+}
+static inline Two smaller(Two a, Two b)
+{
+#ifdef __SSE2__
+    return _mm_min_pd(a, b);
+#else
+    return select(a < b, a, b);
+#endif
+}
+
+/// One bit for each lane.
+static inline unsigned bits(TwoFlags flags)
+{
+#ifdef __SSE2__
+    return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(flags)));
+#else
+    return (flags[0] != 0 ? 1U : 0U) | (flags[1] != 0 ? 2U : 0U);
+#endif
+}
+
 static inline Two square_root(Two v)
 {
 #ifdef __SSE2__

@@ -2,6 +2,7 @@
 #include "leave.h"
 
 #include "contact_features.h"
+#include "persist.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -84,6 +85,7 @@ public:
 private:
     double gap() const { return now_.gap - course_.options.target_gap; }
     double step_away() const;
+    double step_in_contact() const;
     std::optional<Toi> move(double step, double t_end);
     std::optional<Toi> beyond() const
     {
@@ -114,32 +116,38 @@ template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double
     return {};
 }
 
-/// A step from a pose within the tolerance of contact, over which the gap provably does not fall below what
-/// it is: 0 if none is proven that could be told from standing still. From deeper down it also ends before
-/// the gap can reach the target, lest it pass over a time of separation and the contact after it; where it
-/// must not fall at all, at a quarter of that, so that poses are looked at often enough to see it fall again.
+/// A step over which the gap provably does not fall below what it is: 0 if none is proven that could be told
+/// from standing still. From deeper down it also ends at a quarter of what could bring the gap to the target,
+/// so that poses are looked at often enough to see it fall again.
 template <class Part> double Leaving<Part>::step_away() const
 {
-    const double share = blind_ ? 1 : 0.25;
-    const double least = course_.tolerance / course_.fastest, shallow = share * -gap() / course_.fastest;
+    const double least = course_.tolerance / course_.fastest, shallow = 0.25 * -gap() / course_.fastest;
     const double way = rising(course_.facing(), now_.normal, course_.window.end - course_.now());
     if (!(way >= least)) return 0;
     return gap() < -course_.tolerance ? std::min(way, shallow) : way;
 }
 
-/// By steps over which the gap does not fall, or else (`ignore` only) cannot exceed the target by more than
-/// the tolerance. It does not look at t_max, on which `touching` must not depend.
+/// A step over which the gap provably does not exceed the target by more than the tolerance.
+template <class Part> double Leaving<Part>::step_in_contact() const
+{
+    const double lasting =
+        contact_step(course_.facing(), now_, course_.radii, course_.window.end - course_.now());
+    return std::max(lasting, std::max(-gap(), course_.tolerance) / course_.fastest);
+}
+
+/// It does not look at t_max, on which `touching` must not depend.
 template <class Part> std::optional<Toi> Leaving<Part>::run()
 {
     const double t_max = course_.options.t_max, tolerance = course_.tolerance;
     bool apart = false;
     while (gap() <= tolerance) {
         apart = apart || gap() > 0;
-        double step = step_away();
+        const bool deep = blind_ && gap() < -tolerance;
+        double step = deep ? step_in_contact() : step_away();
         if (step == 0) {
             if (apart) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
             if (!blind_) return touching();
-            step = std::max(-gap(), tolerance) / course_.fastest;
+            step = step_in_contact();
         }
         const std::optional<Toi> end = move(step, blind_ ? t_max : 1);
         if (!end) continue;

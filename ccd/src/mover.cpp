@@ -31,37 +31,32 @@ void prepare(Mover<Core>& m)
 }
 void prepare(Mover<Border>& m) { m.vectors[0] = turning(m.part.normal, m.turn); }
 
-/// The part as it starts, about its pivot.
-Core started(const Core& local, const Rotation& start, V3 pivot)
+/// Puts a part as it starts, given in its own frame, about its pivot.
+void start(Core& c, const Rotation& start, V3 pivot)
 {
-    Core c = local;
-    if (by_corners(local)) {
+    if (by_corners(c)) {
         // A sphere on its pivot: its orientation was never looked at, and may be anything.
-        if (local.kind == Core::Kind::point && local.points[0] == pivot) {
+        if (c.kind == Core::Kind::point && c.points[0] == pivot) {
             c.points[0] = {};
-            return c;
+            return;
         }
-        for (int k = 0; k < local.count; ++k)
-            c.points[k] = start * (local.points[k] - pivot);
-        return c;
+        for (int k = 0; k < c.count; ++k)
+            c.points[k] = start * (c.points[k] - pivot);
+        return;
     }
-    const double unit = local.axes.x.x; // a hull's length; its own axes are not turned
+    const double unit = c.axes.x.x; // a hull's length; its own axes are not turned
     c.axes = {unit * start.x, unit * start.y, unit * start.z};
-    if (!(local.centre == pivot)) c.centre = start * (local.centre - pivot);
-    return c;
+    if (!(c.centre == pivot)) c.centre = start * (c.centre - pivot);
 }
-Border started(const Border& local, const Rotation& start, V3 pivot)
-{
-    return placed(placed(local, {}, -pivot), start, {});
-}
+void start(Border& b, const Rotation& start, V3 pivot) { b = placed(placed(b, {}, -pivot), start, {}); }
 
-template <class Part> void start(Mover<Part>& m, const Part& local, const Motion& motion)
+template <class Part> void start(Mover<Part>& m, const Motion& motion)
 {
     const V3 pivot = load(motion.pivot);
     const Rotation turned = rotation(motion.start.orientation);
-    m.part = started(local, turned, pivot);
+    start(m.part, turned, pivot);
     m.position = load(motion.start.position);
-    m.arm = pivot == V3{} ? V3{} : turned * pivot;
+    if (!(pivot == V3{})) m.arm = turned * pivot;
     m.translation = load(motion.translation);
     m.turn = turn(motion.rotation);
 }
@@ -112,7 +107,8 @@ template <> void Mover<Border>::place(Border& copy, double t, V3 at) const
 Mover<Core> mover(const Core& local, const Motion& motion)
 {
     Mover<Core> m;
-    start(m, local, motion);
+    m.part = local;
+    start(m, motion);
     m.reach = reach(m.part) * (1 + tolerance::holding_slack);
     if (m.reach == 0) m.turn = {};
     if (m.turn.angle > 0) prepare(m);
@@ -122,7 +118,8 @@ Mover<Core> mover(const Core& local, const Motion& motion)
 Mover<Border> mover(const Border& local, const Motion& motion)
 {
     Mover<Border> m;
-    start(m, local, motion);
+    m.part = local;
+    start(m, motion);
     if (m.turn.angle > 0) prepare(m);
     return m;
 }

@@ -145,7 +145,7 @@ Sight Watch::look_by_gjk(const Facing<Core>& f)
                           : towards_ == V3{} ? Simplex{}
                                              : towards(a, b, towards_);
     const bool smooth = a.count == 0 || b.count == 0;
-    const Nearness near{tolerance::tight * scale, smooth ? 1e-6 : 1e-12};
+    const Nearness near{tolerance::tight * scale, smooth ? 1e-4 : 1e-12, f.margin};
     Closest c = gjk(a, b, near, start);
     // Rounding may close a flat simplex over the origin: the last axis knows whether they are apart.
     if (c.inside && gap_along(a, b, towards_) > 0) c = gjk(a, b, near, towards(a, b, towards_));

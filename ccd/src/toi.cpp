@@ -5,6 +5,7 @@
 #include "exact_contact.h"
 #include "glance.h"
 #include "pairs.h"
+#include "portal_cast.h"
 #include "rescale.h"
 #include "tolerance.h"
 
@@ -70,11 +71,20 @@ template <class A, class B> Toi hit_at(const Query& q, double t, double t_upper)
     return toi;
 }
 
-/// What a closed form left in doubt. A start that a witness pair proves in contact is left to the
-/// advancement; anything else is asked in exact numbers, and what even those cannot hold is a hit that may
-/// not be one.
+template <class A, class B> Toi solve_turning(const Query& q);
+
+/// Whether exact numbers can settle what a closed form leaves in doubt.
+template <class A, class B>
+constexpr bool in_whole_numbers = std::is_same_v<A, Sphere> || std::is_same_v<B, Plane> ||
+                                  std::is_same_v<B, HalfSpace> ||
+                                  (std::is_same_v<A, Capsule> && std::is_same_v<B, Capsule>);
+
+/// What a closed form left in doubt. Where there are no exact numbers, the advancement. Otherwise a start
+/// that a witness pair proves in contact is left to it; anything else is asked in exact numbers, and what
+/// even those cannot hold is a hit that may not be one.
 template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const Approach& m, const Entry& e)
 {
+    if constexpr (!in_whole_numbers<A, B>) return solve_turning<A, B>(q);
     const Mover<Core> a = mover(as<A>(q.a), q.motion_a);
     const auto b = mover(as<B>(q.b), q.motion_b);
     if (e.t == 0) {
@@ -99,7 +109,7 @@ template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)
 {
     const Entry e = kernel(as<A>(q.a), as<B>(q.b), m);
     if (e.found == Found::apart) return plain(Status::separated, q.options.t_max);
-    if (e.found == Found::hit) return hit<A, B>(q, m, e);
+    if (e.found == Found::hit) return e.meeting ? hit<A, B>(q, m, e) : hit_at<A, B>(q, e.t, e.t_upper);
     return settle<A, B>(q, m, e);
 }
 
@@ -151,6 +161,38 @@ Toi solve_exactly(const Shape& a, const Motion& motion_a, const Shape& b, const 
     return clear ? solve_translation<A, B, kernel>(q, m) : solve_with_care<A, B, kernel>(q);
 }
 
+/// The same for two cores without radius, found by portal refinement.
+template <class A, class B> Toi solve_by_casting(const Query& q)
+{
+    if (!valid<A, B>(q)) return {};
+    const A& a = as<A>(q.a);
+    const B& b = as<B>(q.b);
+    if (turns(a, q.motion_a) || turns(b, q.motion_b)) return solve_turning<A, B>(q);
+    const Approach m = approach(q);
+    const int e = exponent_to_usual(a, b, q, m);
+    if (e == 0) {
+        const Entry entry = portal_cast(part(a), part(b), m);
+        if (entry.found == Found::apart) return plain(Status::separated, q.options.t_max);
+        return entry.found == Found::hit ? hit<A, B>(q, m, entry) : solve_turning<A, B>(q);
+    }
+    if (!can_be_scaled(q, e)) return solve_turning<A, B>(q);
+    const Motion motion_a = scaled(q.motion_a, e), motion_b = scaled(q.motion_b, e);
+    const Options options = scaled(q.options, e);
+    const Query near_1{q.a, motion_a, q.b, motion_b, options};
+    const Approach scaled_m = approach(near_1);
+    const Entry entry = portal_cast(scaled(part(a), e), scaled(part(b), e), scaled_m);
+    if (entry.found == Found::apart) return plain(Status::separated, q.options.t_max);
+    return entry.found == Found::hit ? scaled(hit<A, B>(near_1, scaled_m, entry), -e)
+                                     : solve_turning<A, B>(q);
+}
+
+template <class A, class B>
+Toi solve_casting(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
+                  const Options& options)
+{
+    return solve_by_casting<A, B>({a, motion_a, b, motion_b, options});
+}
+
 template <class A, class B>
 Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
           const Options& options)
@@ -176,11 +218,15 @@ template <class A, class B> struct Cell {
 
 template <auto kernel> struct Exact;
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)> struct Exact<kernel> {
-    static constexpr Cell<A, B> cell{&solve_exactly<A, B, kernel>, Method::closed_form};
-    static constexpr Cell<B, A> flip{&swapped<&solve_exactly<A, B, kernel>>, Method::closed_form};
+    static constexpr Method method = in_whole_numbers<A, B> ? Method::closed_form : Method::direct;
+    static constexpr Cell<A, B> cell{&solve_exactly<A, B, kernel>, method};
+    static constexpr Cell<B, A> flip{&swapped<&solve_exactly<A, B, kernel>>, method};
 };
 
-template <auto kernel> constexpr auto exact = Exact<kernel>::cell;
+template <auto kernel>
+requires(Exact<kernel>::method == Method::closed_form) constexpr auto exact = Exact<kernel>::cell;
+template <auto kernel>
+requires(Exact<kernel>::method == Method::direct) constexpr auto direct = Exact<kernel>::cell;
 template <auto kernel> constexpr auto flip = Exact<kernel>::flip;
 
 template <class T, class... Ts> constexpr std::size_t index_in(const std::variant<Ts...>*)
@@ -206,6 +252,16 @@ template <class A, class B> constexpr Cell<A, B> advancing()
         return {&solve<A, B>, Method::advancement};
 }
 template <class A, class B> constexpr auto advance = advancing<A, B>();
+
+/// Likewise in the table's order.
+template <class A, class B> constexpr Cell<A, B> casting()
+{
+    if constexpr (index_of<B> < index_of<A>)
+        return {&swapped<&solve_casting<B, A>>, Method::direct};
+    else
+        return {&solve_casting<A, B>, Method::direct};
+}
+template <class A, class B> constexpr auto cast = casting<A, B>();
 template <class A, class B> constexpr auto never = Cell<A, B>{&solve_nothing, Method::none};
 
 template <class A, class... B> constexpr std::array<Cell<void, void>, sizeof...(B)> row(Cell<A, B>... cells)
@@ -229,15 +285,15 @@ using U = Hull;
 constexpr std::array table{
     //     Sphere                   Capsule                   Box                Triangle                Plane                 HalfSpace                  Cylinder       Cone           Ellipsoid      Hull
     row<S>(exact<sphere_sphere>,    exact<sphere_capsule>,    exact<sphere_box>, exact<sphere_triangle>, exact<sphere_plane>,  exact<sphere_half_space>,  advance<S, Y>, advance<S, N>, advance<S, E>, advance<S, U>),
-    row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,   advance<C, X>,     advance<C, T>,          exact<capsule_plane>, exact<capsule_half_space>, advance<C, Y>, advance<C, N>, advance<C, E>, advance<C, U>),
-    row<X>(flip<sphere_box>,        advance<X, C>,            advance<X, X>,     advance<X, T>,          advance<X, P>,        advance<X, H>,             advance<X, Y>, advance<X, N>, advance<X, E>, advance<X, U>),
-    row<T>(flip<sphere_triangle>,   advance<T, C>,            advance<T, X>,     advance<T, T>,          advance<T, P>,        advance<T, H>,             advance<T, Y>, advance<T, N>, advance<T, E>, advance<T, U>),
+    row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,   direct<capsule_box>,    advance<C, T>,          exact<capsule_plane>, exact<capsule_half_space>, advance<C, Y>, advance<C, N>, advance<C, E>, advance<C, U>),
+    row<X>(flip<sphere_box>,        flip<capsule_box>,           direct<box_box>,    cast<X, T>,          advance<X, P>,        advance<X, H>,             advance<X, Y>, advance<X, N>, advance<X, E>, cast<X, U>),
+    row<T>(flip<sphere_triangle>,   advance<T, C>,            cast<T, X>,     cast<T, T>,          advance<T, P>,        advance<T, H>,             advance<T, Y>, advance<T, N>, advance<T, E>, cast<T, U>),
     row<P>(flip<sphere_plane>,      flip<capsule_plane>,      advance<P, X>,     advance<P, T>,          never<P, P>,          never<P, H>,               advance<P, Y>, advance<P, N>, advance<P, E>, advance<P, U>),
     row<H>(flip<sphere_half_space>, flip<capsule_half_space>, advance<H, X>,     advance<H, T>,          never<H, P>,          never<H, H>,               advance<H, Y>, advance<H, N>, advance<H, E>, advance<H, U>),
     row<Y>(advance<Y, S>,           advance<Y, C>,            advance<Y, X>,     advance<Y, T>,          advance<Y, P>,        advance<Y, H>,             advance<Y, Y>, advance<Y, N>, advance<Y, E>, advance<Y, U>),
     row<N>(advance<N, S>,           advance<N, C>,            advance<N, X>,     advance<N, T>,          advance<N, P>,        advance<N, H>,             advance<N, Y>, advance<N, N>, advance<N, E>, advance<N, U>),
     row<E>(advance<E, S>,           advance<E, C>,            advance<E, X>,     advance<E, T>,          advance<E, P>,        advance<E, H>,             advance<E, Y>, advance<E, N>, advance<E, E>, advance<E, U>),
-    row<U>(advance<U, S>,           advance<U, C>,            advance<U, X>,     advance<U, T>,          advance<U, P>,        advance<U, H>,             advance<U, Y>, advance<U, N>, advance<U, E>, advance<U, U>),
+    row<U>(advance<U, S>,           advance<U, C>,            cast<U, X>,     cast<U, T>,          advance<U, P>,        advance<U, H>,             advance<U, Y>, advance<U, N>, advance<U, E>, cast<U, U>),
 };
 // clang-format on
 static_assert(table.size() == std::variant_size_v<Shape>);

@@ -27,7 +27,12 @@ static inline Toi flipped(Toi toi)
 }
 
 /// How the table decides a pair.
-enum class Method : unsigned char { closed_form, advancement, none };
+enum class Method : unsigned char {
+    closed_form, // where nothing rotates; what it leaves in doubt is asked in whole numbers
+    direct,      // where nothing rotates; what it leaves in doubt goes to advancement
+    advancement,
+    none
+};
 Method method(const Shape& a, const Shape& b);
 
 } // namespace brink

@@ -55,6 +55,22 @@ inline constexpr double blur = 0x1p-42;
 /// when there is no contact with the radius that much larger (numerics.md).
 inline constexpr double guess_slack = 64 * unit_roundoff;
 
+/// The same for separating axes over time, whose numbers pass through both rotations: of a height along a
+/// cross product of unit axes, and what is left holds contact of boxes with rounded axes to be contact.
+inline constexpr double slab_slack = 160 * unit_roundoff;
+
+/// A radius below this part of all lengths is thin: what the guess of contact is off by turns an axis from
+/// edge to edge too far for it to be proven.
+inline constexpr double thin = 0x1p-20;
+
+/// Where the path goes over a face by no more than this many slacks from the time proven apart to the time
+/// of contact, the one is as good as the other.
+inline constexpr double loose_drift = 16;
+
+/// Contact along an axis is sure this many slacks below where the height has fallen to the radius: the axis
+/// itself may be off by one and the corners by another.
+inline constexpr double overlap_depth = 4;
+
 /// A witness of contact is looked for this many slacks below where the height must have fallen to the radius:
 /// one for that to be certain, two for the witness itself.
 inline constexpr double witness_depth = 3;
@@ -80,6 +96,10 @@ inline constexpr double rate_slack = 32 * unit_roundoff;
 /// Where the curvature of a bound takes more than this part of the gap over the whole horizon, a sharper one
 /// is worth two more support points: a guess, on which no answer's validity rests.
 inline constexpr double much_curved = 0.02;
+
+/// Bounds of a gap that come this near, as a part of its rounding, show a contact as well as any (8 eps of
+/// the lengths): the same that distance() asks of itself.
+inline constexpr double shown = 0.125;
 
 /// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
 inline constexpr int most_followed = 12;

@@ -4,6 +4,8 @@
 #include "nearest.h"
 #include "support.h"
 
+#include <algorithm>
+
 namespace brink {
 
 namespace {
@@ -59,7 +61,8 @@ void confirm(Closest& c, const Core& a, const Core& b, V3 n, double slack)
     c.lower = lower;
     c.normal = n;
     // The second test keeps v along n where the distance hardly depends on the place of the witness points.
-    c.certain = distance - c.lower <= slack && norm(c.v - distance * n) <= slack;
+    c.certain = distance - c.lower <= slack && norm(c.v - distance * n) <= slack &&
+                norm(c.simplex.point() - c.v) <= slack;
 }
 
 } // namespace
@@ -71,7 +74,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
     if (start.size == 0) c.simplex.add(corner_towards_origin(a, b, middle(b) - middle(a)));
     c.simplex.reduce();
     c.inside = c.simplex.size == 4;
-    c.v = c.simplex.point();
+    c.v = c.simplex.nearest_point();
     Simplex next = c.simplex;
     for (int round = 0; round < most_rounds && !c.inside; ++round) {
         const double square = norm_squared(c.v), distance = std::sqrt(square);
@@ -79,8 +82,8 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         const Simplex::Corner corner = corner_towards_origin(a, b, c.v);
         const double lower = dot(c.v, corner.w) / distance;
         if (lower > c.lower) c.lower = lower, c.normal = (1 / distance) * c.v;
-        if (distance - lower <= near.slack + near.relative * distance) {
-            c.certain = true;
+        if (distance - lower <= near.slack + near.relative * std::max(0.0, distance - near.reach)) {
+            c.certain = norm(c.simplex.point() - c.v) <= near.slack + near.relative * distance;
             c.lower = lower;
             c.normal = (1 / distance) * c.v;
             c.point_a = c.simplex.on_a();
@@ -88,12 +91,15 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         }
         if (c.simplex.contains(corner)) break;
         next.add(corner);
-        next.reduce();
+        if (lower > near.slack)
+            next.reduce_outside();
+        else
+            next.reduce();
         if (next.size == 4) {
             c.inside = true;
             break;
         }
-        const V3 next_v = next.point();
+        const V3 next_v = next.nearest_point();
         if (!(norm_squared(next_v) < square)) break;
         c.simplex = next;
         c.v = next_v;

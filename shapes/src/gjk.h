@@ -20,7 +20,8 @@ struct Closest {
 /// How near the two bounds of a distance must come.
 struct Nearness {
     double slack = 0;    // length
-    double relative = 0; // part of the distance
+    double relative = 0; // part of what the distance has beyond `reach`
+    double reach = 0;    // length
 };
 
 /// The algorithm of Gilbert, Johnson and Keerthi (1988), as van den Bergen tells it (Collision Detection in

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polytope.h"
 
+#include "epa.h"
 #include "feature_pairs.h"
 #include "gjk.h"
 #include "nearest.h"
+#include "round_axis.h"
 #include "sat.h"
 #include "support.h"
 #include "tolerance.h"
@@ -91,15 +93,31 @@ Separation by_features(const Core& a, const Core& b, const Axis& axis, double sl
             pair.point_a + pair.v};
 }
 
-/// Cores of many corners or none, of which GJK was not certain.
-Separation by_support(const Core& a, const Core& b, const Closest& c)
+/// Cores apart, of which one is round: GJK knows the axis to half of the digits or so.
+Separation refined(const Core& a, const Core& b, const Closest& c, const Axis& ahead, double slack)
 {
-    Axis best = along(a, b, c.v);
-    for (const V3 n : {middle(b) - middle(a), V3{1, 0, 0}, V3{0, 1, 0}, V3{0, 0, 1}})
-        for (const Axis& axis : {along(a, b, n), along(a, b, -n)})
-            if (axis.gap > best.gap) best = axis;
-    if (best.gap > 0) return {best.gap, norm(c.v), best.normal, c.point_a, c.point_a + c.v};
-    return {best.gap, best.gap, best.normal, c.point_a, c.point_a + best.gap * best.normal};
+    const Axis best = locally_best(a, b, ahead, slack).axis;
+    const V3 on_a = farthest(a, best.normal).point, v = farthest(b, -best.normal).point - on_a;
+    const bool shorter = norm_squared(v) < norm_squared(c.v);
+    const V3 point_a = shorter ? on_a : c.point_a;
+    const double gap = std::max(best.gap, norm(shorter ? v : c.v));
+    return {best.gap, gap, best.normal, point_a, point_a + gap * best.normal};
+}
+
+/// Cores of many corners or none, of which GJK was not certain: apart by less than it could confirm, or not
+/// at all.
+Separation by_support(const Core& a, const Core& b, const Closest& c, double slack)
+{
+    const double distance = norm(c.v);
+    const Axis ahead = along(a, b, c.v);
+    if (ahead.gap > slack && !(is_polytope(a) && is_polytope(b))) return refined(a, b, c, ahead, slack);
+    if (ahead.gap > slack)
+        return {std::min(ahead.gap, distance), distance, ahead.normal, c.point_a, c.point_a + c.v};
+    const Penetration p = penetration(a, b, slack);
+    if (p.lower <= slack) return {p.lower, p.gap, p.normal, p.point_a, p.point_a + p.gap * p.normal};
+    const double shortest = norm(p.v);
+    const Axis nearest = preferred({p.lower, p.normal}, along(a, b, p.v), shortest - slack);
+    return {std::min(nearest.gap, shortest), shortest, nearest.normal, p.point_a, p.point_a + p.v};
 }
 
 } // namespace
@@ -110,7 +128,7 @@ Separation polytope_separation(const Core& a, const Core& b)
     const Closest c = gjk(a, b, {slack});
     if (c.certain)
         return {c.lower, certified(norm(c.v), c.lower, slack), c.normal, c.point_a, c.point_a + c.v};
-    if (!is_simple(a) || !is_simple(b)) return by_support(a, b, c);
+    if (!is_simple(a) || !is_simple(b)) return by_support(a, b, c, slack);
     const Axis axis = separating_axis(a, b);
     if (axis.gap < -slack) return overlapping(a, b, axis, slack);
     return by_features(a, b, axis, slack);

@@ -3,6 +3,7 @@
 
 #include "body.h"
 #include "nearest.h"
+#include "ray_round.h"
 #include "ray_triangle.h"
 #include "scaling.h"
 #include "support.h"
@@ -16,11 +17,7 @@ struct Ray {
     V3 origin, direction;
 };
 
-/// Where a ray enters a shape from outside; t infinite where it does not.
-struct Entry {
-    double t = infinity;
-    V3 point, normal;
-};
+using Entry = SurfaceEntry;
 
 V3 unit(V3 v) { return (1 / norm(v)) * v; }
 V3 against(const Ray& ray) { return -unit(ray.direction); }
@@ -115,9 +112,45 @@ Entry enter_triangle(const Ray& ray, const Core& c)
     return {entry.t, point, rate == 0 ? against(ray) : (rate > 0 ? -1.0 : 1.0) * unit(n)};
 }
 
+Separation from_point(V3 point, const Core& c)
+{
+    Core at;
+    at.points[0] = point;
+    return separation(at, c);
+}
+
+/// Any convex core by its supporting planes: each that keeps it apart from the ray's place moves that on,
+/// until it is there, or no more nearing it. Newton's method on the distance along the ray, which is convex.
+/// (G. van den Bergen, Ray Casting against General Convex Objects, 2004.)
+Entry enter_by_planes(const Ray& ray, const Core& c)
+{
+    constexpr int most_rounds = 128; // a ray that grazes halves its distance in each
+    Entry entry{0, ray.origin, against(ray)};
+    const double slack = tolerance::tight * std::max(extent(c), largest_coordinate(ray.origin));
+    for (int round = 0; round < most_rounds; ++round) {
+        const Separation s = from_point(entry.point, c);
+        const double rate = dot(s.normal, ray.direction), t = entry.t + s.lower / rate;
+        const bool there = !(s.lower > slack);
+        if (!(rate > 0) && (!there || round == 0)) return {};
+        if (there) return {entry.t, s.point_b, entry.normal};
+        if (!(t > entry.t)) break;
+        entry = {t, ray.origin + t * ray.direction, -s.normal};
+    }
+    return entry;
+}
+
+bool is_flat(const Core& c)
+{
+    const V3 h = c.half_extents;
+    return std::min(h.x, std::min(h.y, h.z)) < tolerance::least_scale;
+}
+
 Entry enter(const Ray& ray, const Core& c)
 {
     if (ray.direction == V3{}) return {};
+    if (c.kind == Core::Kind::hull || (c.kind == Core::Kind::ellipsoid && is_flat(c)))
+        return enter_by_planes(ray, c);
+    if (!is_polytope(c)) return enter_round(ray.origin, ray.direction, c);
     if (c.kind == Core::Kind::box) return enter_box(ray, c);
     if (c.kind == Core::Kind::triangle) return enter_triangle(ray, c);
     return enter_capsule(ray, c);
@@ -157,9 +190,10 @@ Question question(V3 origin, V3 direction, const Shape& shape, const Pose& pose)
 /// The origin's place in the shape: how far inside, and the way out.
 Separation standing(const Ray& ray, const Body& body)
 {
+    if (body.bounded) return from_point(ray.origin, body.core);
     Core point;
     point.points[0] = ray.origin;
-    return body.bounded ? separation(point, body.core) : separation(point, body.border);
+    return separation(point, body.border);
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simplex.h"
 
+#include "nearest.h"
+
 namespace brink {
 
 namespace {
@@ -50,11 +52,13 @@ Weights nearest(const Corner* corners, int i, int j, int k)
     const double ab_c = -dot(ab, c), ac_c = -dot(ac, c);
     if (ac_c >= 0 && ab_c <= ac_c) return single(k);
 
-    const double area_c = ab_a * ac_b - ab_b * ac_a;
+    // In cross products: those of the dot products would lose twice the digits that a sliver does.
+    const V3 n = cross(ab, ac);
+    const double area_c = dot(n, cross(a, b));
     if (area_c <= 0 && ab_a > 0 && ab_b < 0) return edge(i, j, ab_a / (ab_a - ab_b));
-    const double area_b = ab_c * ac_a - ab_a * ac_c;
+    const double area_b = dot(n, cross(c, a));
     if (area_b <= 0 && ac_a > 0 && ac_c < 0) return edge(i, k, ac_a / (ac_a - ac_c));
-    const double area_a = ab_b * ac_c - ab_c * ac_b;
+    const double area_a = dot(n, cross(b, c));
     const double from_b = ac_b - ab_b, from_c = ab_c - ac_c;
     if (area_a <= 0 && from_b > 0 && from_c > 0) return edge(j, k, from_b / (from_b + from_c));
 
@@ -82,20 +86,22 @@ double square_at(const Corner* c, const Weights& w)
     return norm_squared(p);
 }
 
+constexpr unsigned all_four = 15;
+
 /// The face opposite to the newest corner was the simplex before it: the origin lies on the newest's side of
-/// that.
-Weights nearest(const Corner* c)
+/// that. Of the other three, those that keep the origin apart, or simply all.
+template <class Apart> Weights nearest(const Corner* c, Apart apart)
 {
     Weights best;
     constexpr int faces[3][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     constexpr int opposite[3] = {2, 0, 1};
     for (int f = 0; f < 3; ++f) {
         const int i = faces[f][0], j = faces[f][1], k = faces[f][2];
-        if (!separates(c[i], c[j], c[k], c[opposite[f]])) continue;
+        if (!apart(c[i], c[j], c[k], c[opposite[f]])) continue;
         const Weights w = nearest(c, i, j, k);
         if (best.used == 0 || square_at(c, w) < square_at(c, best)) best = w;
     }
-    if (best.used == 0) best.used = 15;
+    if (best.used == 0) best.used = all_four;
     return best;
 }
 
@@ -109,7 +115,7 @@ Weights nearest(const Simplex& s)
     case 3:
         return nearest(s.corners, 0, 1, 2);
     default:
-        return nearest(s.corners);
+        return nearest(s.corners, separates);
     }
 }
 
@@ -121,6 +127,16 @@ V3 Simplex::point() const
     for (int k = 1; k < size; ++k)
         p = p + corners[k].weight * corners[k].w;
     return p;
+}
+
+V3 Simplex::nearest_point() const
+{
+    const V3 a = corners[0].w;
+    if (size == 2) return across(across(a, corners[1].w - a), corners[1].w - a);
+    if (size != 3) return point();
+    const V3 n = face_normal(a, corners[1].w, corners[2].w);
+    const double square = norm_squared(n);
+    return square > 0 ? (dot(n, a) / square) * n : point();
 }
 
 V3 Simplex::on_a() const
@@ -138,9 +154,14 @@ bool Simplex::contains(const Corner& c) const
     return false;
 }
 
-void Simplex::reduce()
+void Simplex::reduce() { reduce(Origin::anywhere); }
+void Simplex::reduce_outside() { reduce(Origin::outside); }
+
+void Simplex::reduce(Origin origin)
 {
-    const Weights w = nearest(*this);
+    Weights w = nearest(*this);
+    if (w.used == all_four && origin == Origin::outside)
+        w = nearest(corners, [](const Corner&, const Corner&, const Corner&, const Corner&) { return true; });
     int kept = 0;
     for (int k = 0; k < size; ++k) {
         if ((w.used >> k & 1U) == 0) continue;

@@ -20,6 +20,9 @@ struct Simplex {
 
     /// The point that the weights stand for.
     [[nodiscard]] V3 point() const;
+    /// The same, after reduce(), but from the line or plane of its corners: true in direction where it is
+    /// short, while the rounding of the weights tilts point().
+    [[nodiscard]] V3 nearest_point() const;
     /// The same point of the hull as one of A.
     [[nodiscard]] V3 on_a() const;
     /// Whether this very point is among the corners.
@@ -29,6 +32,12 @@ struct Simplex {
     /// Finds the point nearest to the origin and leaves only the corners that it needs: four only where the
     /// origin is inside. The last corner must be the newest one.
     void reduce();
+    /// The same where the origin is known to be outside, whatever rounding makes of a flat simplex.
+    void reduce_outside();
+
+private:
+    enum class Origin : unsigned char { anywhere, outside };
+    void reduce(Origin);
 };
 
 } // namespace brink

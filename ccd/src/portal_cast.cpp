@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "portal_cast.h"
+
+#include "crossing.h"
+#include "glance.h"
+#include "support.h"
+
+#include <optional>
+
+namespace brink {
+
+namespace {
+
+/// Rounds of either part: far more than corners that can matter.
+constexpr int most_rounds = 48;
+
+/// A point of B's core less one of A's, seen from the path's start, and where it is across the path.
+struct Point {
+    V3 place;
+    V3 on_a;
+    double u = 0, v = 0;
+};
+
+/// Twice the area of the triangle that the path makes with two points, seen along it.
+double turn(const Point& p, const Point& q) { return p.u * q.v - p.v * q.u; }
+
+class Cast {
+public:
+    Cast(const Core& a, const Core& b, const Approach& m);
+    Entry entry();
+
+private:
+    Point across(V3 of_b, V3 of_a) const;
+    Point farthest(V3 n) const;
+    /// The axis across the path along which a point's height is x u + y v.
+    V3 axis(double x, double y) const { return x * u_ + y * v_; }
+
+    bool apart_along(V3 n, const Point& top) const;
+    std::optional<Entry> open_portal();
+    Entry refined();
+    Entry surface(V3 n, const Crossing& c) const;
+    Entry missed(V3 n, const Point& top) const
+    {
+        return apart_along(n, top) ? Entry{.found = Found::apart} : Entry{};
+    }
+
+    const Approach& m_;
+    Core a_, b_; // turned
+    Reach reach_;
+    V3 u_, v_; // span the plane across the path
+    Point portal_[3];
+};
+
+Cast::Cast(const Core& a, const Core& b, const Approach& m)
+    : m_(m),
+      a_(placed(a, m.turn_a(), {})),
+      b_(placed(b, m.turn_b(), {})),
+      reach_(reach(m, 0, brink::reach(a_) + brink::reach(b_))),
+      u_(any_perpendicular(m.by)),
+      v_(cross(u_, m.by))
+{
+}
+
+Point Cast::across(V3 of_b, V3 of_a) const
+{
+    const V3 place = (of_b - of_a) - m_.from;
+    return {place, of_a, dot(u_, place), dot(v_, place)};
+}
+
+Point Cast::farthest(V3 n) const
+{
+    return across(brink::farthest(b_, n).point, brink::farthest(a_, -n).point);
+}
+
+/// Whether the supporting plane at right angles to n, which `top` lies on, keeps the path's point apart
+/// throughout the step.
+bool Cast::apart_along(V3 n, const Point& top) const
+{
+    const double above = -dot(n, top.place) - reach_.slack * norm(n);
+    return above > 0 && above + dot(n, m_.by) > 0;
+}
+
+/// Seen along the path, a triangle that it passes through: the middle of the difference and two corners,
+/// found by turning about the middle and then moving outwards. Empty where there is one.
+std::optional<Entry> Cast::open_portal()
+{
+    const Point middle = across(brink::middle(b_), brink::middle(a_));
+    const bool centred = middle.u == 0 && middle.v == 0;
+    V3 way = centred ? u_ : axis(-middle.u, -middle.v);
+    Point p = farthest(way);
+    if (dot(way, p.place) < 0) return missed(way, p);
+    const double side = turn(middle, p) < 0 ? -1 : 1;
+    Point q;
+    int rounds = 0;
+    do {
+        if (++rounds > most_rounds) return Entry{};
+        if (rounds > 1) p = q;
+        way = axis(-side * (p.v - middle.v), side * (p.u - middle.u));
+        q = farthest(way);
+        if (dot(way, q.place) < 0) return missed(way, q);
+    } while (side * turn(middle, q) > 0);
+    while (side * turn(p, q) < 0) {
+        if (++rounds > most_rounds) return Entry{};
+        way = axis(side * (q.v - p.v), -side * (q.u - p.u));
+        const Point far = farthest(way);
+        if (dot(way, far.place) < 0) return missed(way, far);
+        (side * turn(middle, far) > 0 ? p : q) = far;
+    }
+    portal_[0] = middle;
+    portal_[1] = side > 0 ? p : q;
+    portal_[2] = side > 0 ? q : p;
+    return {};
+}
+
+/// The portal moved outwards, against the path, until it lies in the surface.
+Entry Cast::refined()
+{
+    for (int round = 0; round < most_rounds; ++round) {
+        const V3 edge = portal_[1].place - portal_[0].place;
+        const V3 n = cross(edge, portal_[2].place - portal_[0].place);
+        const double slack = reach_.slack * norm(n);
+        const Point top = farthest(n);
+        const Crossing c = crossing(-dot(n, top.place), -dot(n, m_.by), slack);
+        if (c.closing && c.t > 1) return {.found = Found::apart};
+        if (dot(n, top.place - portal_[1].place) <= slack) return surface(n, c);
+        const double turns[] = {turn(portal_[0], top), turn(portal_[1], top), turn(portal_[2], top)};
+        int kept = 0; // with the next one
+        while (kept < 3 && !(turns[kept] <= 0 && turns[(kept + 1) % 3] >= 0))
+            ++kept;
+        if (kept == 3) return {};
+        portal_[(kept + 2) % 3] = top;
+    }
+    return {};
+}
+
+/// The path pierces the portal, which lies in a supporting plane: contact between the two crossings, unless
+/// it does so at the portal's border, where that is likely.
+Entry Cast::surface(V3 n, const Crossing& c) const
+{
+    if (!c.closing || c.blurred()) return {};
+    const double speed = norm(m_.by), drift = speed * (c.t_upper - c.t);
+    double weight[3], sum = 0;
+    bool inside = true;
+    for (int i = 0; i < 3; ++i) {
+        const Point &p = portal_[(i + 1) % 3], &q = portal_[(i + 2) % 3];
+        weight[i] = turn(p, q);
+        sum += weight[i];
+        inside &= weight[i] >= (8 * reach_.slack + drift) * speed * norm(q.place - p.place);
+    }
+    if (!(sum > 0) || (!inside && drift > tolerance::loose_drift * reach_.slack)) return {.t = c.t};
+    V3 on_a{}, between{};
+    for (int i = 0; i < 3; ++i) {
+        on_a = on_a + (weight[i] / sum) * portal_[i].on_a;
+        between = between + (weight[i] / sum) * portal_[i].place;
+    }
+    const V3 met = m_.from + c.t * m_.by + on_a;
+    return {Found::hit, c.t, inside ? c.t_upper : infinity,
+            Meeting{met, met + (between - c.t * m_.by), -n, true}};
+}
+
+Entry Cast::entry()
+{
+    if (m_.by == V3{}) return {};
+    const std::optional<Entry> without_portal = open_portal();
+    return without_portal ? *without_portal : refined();
+}
+
+} // namespace
+
+Entry portal_cast(const Core& a, const Core& b, const Approach& m)
+{
+    const bool plain = all(a.radius + b.radius + m.target_gap == 0, is_polytope(a), is_polytope(b));
+    return plain ? cut(Cast(a, b, m).entry(), m.t_max) : Entry{};
+}
+
+} // namespace brink
