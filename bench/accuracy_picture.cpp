@@ -8,7 +8,7 @@
 namespace brink::bench {
 namespace {
 
-constexpr double least_error = 1e-16; // half a unit in the last place of t: smaller ones are drawn here
+constexpr double least_error = 1e-15; // smaller ones are drawn here
 
 /// The panels and everything else but the figures. Wants $points: panel, solver (0 brink, 1 FCL), tolerance,
 /// ns, median and maximum of the error of t; the array title; least and most (ns).
@@ -31,12 +31,12 @@ do for [format in 'svg png'] {
     set label 1 headline at screen 0.5, 0.955 center font large
     set label 2 'error of t (fractions of the step, logarithmic; left is better)' at screen 0.53, 0.045 center
     set logscale xy
-    set xrange [1e-16:1]
+    set xrange [1e-15:1e-1]
     set yrange [least:most]
     set border 3 linecolor '#555555'
     set tics nomirror
     set grid linecolor '#dddddd' linewidth 1 linetype 1
-    set xtics ('10^{-15}' 1e-15, '10^{-12}' 1e-12, '10^{-9}' 1e-9, '10^{-6}' 1e-6, '10^{-3}' 1e-3, '1' 1) font small
+    set xtics ('10^{-15}' 1e-15, '10^{-12}' 1e-12, '10^{-9}' 1e-9, '10^{-6}' 1e-6, '10^{-3}' 1e-3) font small
     panels = |title|
     do for [k = 1:panels] {
         set lmargin at screen 0.09 + 0.90 * (k - 1) / panels
@@ -47,10 +47,10 @@ do for [format in 'svg png'] {
         if (k == 1) {
             set ytics ('100 ns' 100, '200' 200, '500' 500, '1 µs' 1000, '2 µs' 2000, '5 µs' 5000, '10 µs' 10000, '20 µs' 20000, '50 µs' 50000, '100 µs' 100000) font small
             set ylabel 'mean time per hit (logarithmic)' offset -1, 0
-            set label 4 'brink, median hit' at screen 0.12, 0.875 left point pointtype 7 pointsize 1.2 linecolor rgb colour[1] offset 1.2, 0
-            set label 5 'brink, worst hit' at screen 0.32, 0.875 left point pointtype 6 pointsize 1.2 linewidth 2 linecolor rgb colour[1] offset 1.2, 0
-            set label 6 'FCL advancement, median hit' at screen 0.51, 0.875 left point pointtype 5 pointsize 1.8 linecolor rgb colour[2] offset 1.2, 0
-            set label 7 'FCL, worst hit' at screen 0.81, 0.875 left point pointtype 4 pointsize 1.8 linewidth 3 linecolor rgb colour[2] offset 1.2, 0
+            set label 4 'brink, median hit' at screen 0.12, 0.875 left point pointtype 7 pointsize 1.2 linecolor rgb colour[1] offset 1.2, -0.2
+            set label 5 'brink, worst hit' at screen 0.32, 0.875 left point pointtype 6 pointsize 1.2 linewidth 2 linecolor rgb colour[1] offset 1.2, -0.2
+            set label 6 'FCL advancement, median hit' at screen 0.51, 0.875 left point pointtype 5 pointsize 1.8 linecolor rgb colour[2] offset 1.2, -0.2
+            set label 7 'FCL, worst hit' at screen 0.81, 0.875 left point pointtype 4 pointsize 1.8 linewidth 3 linecolor rgb colour[2] offset 1.2, -0.2
         } else {
             set ytics ('' 100, '' 200, '' 500, '' 1000, '' 2000, '' 5000, '' 10000, '' 20000, '' 50000, '' 100000)
             unset ylabel
@@ -64,7 +64,7 @@ do for [format in 'svg png'] {
              $points using (pick(k, 1, 6)):4 with points pointtype 4 pointsize 1.8 linewidth 3 \
                  linecolor rgb colour[2], \
              $points using (named(k) ? column(6) : NaN):4:(sprintf('10^{%.0f}', log10(column(3)))) with labels \
-                 offset 0, -1.1 font small textcolor rgb colour[1]
+                 offset 0, 0.9 textcolor rgb colour[1]
         unset label
     }
     unset multiplot
@@ -89,9 +89,9 @@ std::string accuracy_plot(const std::vector<AccuracyPoint>& points)
         most = std::max(most, p.ns);
     }
     std::string text = "# Draws run time over error of t: gnuplot accuracy.gp\n";
-    text += "headline = 'What accuracy costs: two bodies that turn by up to 60 degrees (blue figures: "
+    text += "headline = 'What accuracy costs: two bodies that turn by up to 60 degrees (in blue: "
             "brink’s tolerance)'\n";
-    text += fmt::format("least = {:.0f}\nmost = {:.0f}\n", 0.6 * least, 1.8 * most);
+    text += fmt::format("least = {:.0f}\nmost = {:.0f}\n", 0.7 * least, 1.8 * most);
     text += fmt::format("array title[{}] = [{}]\n$points << END\n", titles.size(), fmt::join(titles, ", "));
     return text + rows + "END\n" + std::string(script);
 }
