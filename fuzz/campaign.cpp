@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <iterator>
 #include <mutex>
 #include <thread>
@@ -18,7 +19,6 @@ namespace brink::fuzz {
 namespace {
 
 using support::Findings;
-using support::Real;
 using support::Trial;
 
 constexpr std::uint64_t block_size = 256;
@@ -26,6 +26,15 @@ constexpr std::uint64_t block_size = 256;
 bool suspicious(const Toi& toi)
 {
     return toi.status == Status::undecided || toi.status == Status::invalid || toi.iterations > 64;
+}
+
+/// Half of the cases are for breadth, half for what turns; whichever cases are picked by a stride.
+bool for_breadth(std::uint64_t index) { return std::popcount(index) % 2 == 0; }
+
+support::Query drawn(const Pair& pair, std::uint64_t seed, std::uint64_t index)
+{
+    return for_breadth(index) ? query(pair, support::Family::any, seed, index)
+                              : campaign_query(pair, seed, index);
 }
 
 void complain(Tally& tally, const Case& c, const Findings& findings)
@@ -38,29 +47,61 @@ void complain(Tally& tally, const Case& c, const Findings& findings)
     }
 }
 
-void measure(Tally& tally, Trial& trial)
-{
-    ++tally.refereed;
-    if (trial.referee().gave_up) ++tally.given_up;
-    if (trial.toi().status != Status::hit || trial.query().options.tolerance > 1e-9) return;
-    const Real over =
-        trial.motion().at(trial.toi().t).gap - static_cast<Real>(trial.query().options.target_gap);
-    tally.worst_over = std::max(tally.worst_over, static_cast<double>(over));
-    tally.worst_under = std::min(tally.worst_under, static_cast<double>(over));
-}
-
-/// In 200 digits, where such a judge is to be had and has not spoken yet.
-Findings verify_once(Tally& tally, Case& c)
-{
-    if (c.verified || !verifiable(c.trial.query())) return {};
-    c.verified = true;
-    ++tally.verified;
-    return verified(c.trial.query(), c.trial.toi());
-}
-
 void append(Findings& all, Findings more)
 {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// By the reference, which knows no depth of a cylinder, cone, ellipsoid or hull.
+Findings by_reference(Tally& tally, Trial& trial)
+{
+    ++tally.referenced;
+    Findings findings = judge_by_reference(trial);
+    if (trial.referee().gave_up) ++tally.given_up;
+    return findings;
+}
+
+Findings by_referee(Tally& tally, const Trial& trial)
+{
+    const Ruled ruled = fuzz::ruled(trial.query(), trial.toi());
+    ++tally.ruled;
+    if (ruled.in_digits) ++tally.in_digits;
+    if (ruled.unsettled) ++tally.unsettled;
+    return ruled.findings;
+}
+
+/// The contact in digits, once: how early the answer is, and whether `undecided` is excused.
+Findings by_digits(Tally& tally, Case& c)
+{
+    if (c.sworn || !judgeable(c.trial.query())) return {};
+    c.sworn = true;
+    const support::Query& q = c.trial.query();
+    const Toi& toi = c.trial.toi();
+    const FirstContact contact = first_contact(q, toi);
+    Findings findings = verified(q, toi);
+    ++tally.sworn;
+    if (contact.spent) ++tally.unsettled;
+    if (contact.in_doubt) ++tally.in_doubt;
+    if (toi.status == Status::undecided && contact.grazes) ++tally.excused;
+    if (toi.status == Status::undecided && !contact.grazes && !contact.spent)
+        findings.push_back(
+            {"undecided, not grazing", fmt::format("least gap - target {:.3g}, closing {:.3g} per step",
+                                                   contact.least_gap, contact.closing_speed)});
+    const bool timed = toi.status == Status::hit && contact.meets && !contact.in_doubt && !contact.grazes;
+    if (timed) tally.add_early(q.options.tolerance, contact.early);
+    return findings;
+}
+
+void count(Tally& tally, const Toi& toi)
+{
+    ++tally.cases;
+    ++tally.by_status[std::min<std::size_t>(static_cast<std::size_t>(toi.status), 4)];
+    const auto spent = static_cast<std::uint64_t>(std::max(toi.iterations, 0));
+    tally.evaluations += spent;
+    if (toi.status != Status::hit || spent == 0) return;
+    ++tally.advanced_hits;
+    tally.hit_evaluations += spent;
+    tally.most_evaluations = std::max(tally.most_evaluations, spent);
 }
 
 /// A block of one pair's cases.
@@ -69,16 +110,17 @@ Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_
     Tally tally;
     std::vector<Case> to_witness;
     for (std::uint64_t i = begin; i < end; ++i) {
-        Case c{i, Trial(query(pair, support::Family::any, plan.seed, i))};
-        ++tally.cases;
-        ++tally.by_status[std::min<std::size_t>(static_cast<std::size_t>(c.trial.toi().status), 4)];
+        Case c{i, Trial(drawn(pair, plan.seed, i))};
+        count(tally, c.trial.toi());
         Findings findings = judge_alone(c.trial);
         const bool odd = suspicious(c.trial.toi()) || !findings.empty();
-        if (!pair.unbounded() && (odd || i % plan.referee_every == 0)) {
-            append(findings, judge_by_reference(c.trial));
-            measure(tally, c.trial);
-        }
-        if (!findings.empty() || i % plan.verify_every == 0) append(findings, verify_once(tally, c));
+        if (pair.has_reference() && for_breadth(i) && (odd || i % plan.reference_every == 0))
+            append(findings, by_reference(tally, c.trial));
+        if (judgeable(c.trial.query()) && (odd || i % plan.rule_every == 0))
+            append(findings, by_referee(tally, c.trial));
+        const bool undecided = c.trial.toi().status == Status::undecided;
+        if (!findings.empty() || undecided || i % plan.digits_every == 0)
+            append(findings, by_digits(tally, c));
         complain(tally, c, findings);
         const bool asked = i % plan.witness_every == 0 || odd;
         if (asked && !pair.unbounded() && Witnesses::present()) to_witness.push_back(std::move(c));
@@ -91,7 +133,7 @@ Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_
         for (const Fault& fault : statements[i].against_them)
             tally.add(fault);
         Findings findings = statements[i].against_brink;
-        if (!findings.empty()) append(findings, verify_once(tally, to_witness[i]));
+        if (!findings.empty()) append(findings, by_digits(tally, to_witness[i]));
         complain(tally, to_witness[i], findings);
     }
     return tally;
@@ -165,7 +207,7 @@ Outcome run(const Plan& plan)
 
 std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
 {
-    std::vector<Case> one{{index, Trial(query(pair, support::Family::any, seed, index))}};
+    std::vector<Case> one{{index, Trial(drawn(pair, seed, index))}};
     Trial& trial = one.front().trial;
     std::string out = support::as_cpp(trial.query(), support::in_words(trial.toi()));
     if (pair.unbounded()) return out;
@@ -175,12 +217,13 @@ std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
         ", evaluations {}{}\n",
         ref.contact, ref.t, ref.start_gap, ref.least_gap, ref.closing_speed, trial.motion().fastest(),
         ref.evaluations, ref.gave_up ? ", gave up" : "");
-    Findings findings = judge(trial);
+    Findings findings = pair.has_reference() ? judge(trial) : judge_alone(trial);
     Witnesses witnesses;
     const Statement said = witnesses.question(one).front();
     append(findings, said.against_brink);
-    if (verifiable(trial.query())) {
+    if (judgeable(trial.query())) {
         out += truth_in_words(trial.query());
+        append(findings, ruled(trial.query(), trial.toi()).findings);
         append(findings, verified(trial.query(), trial.toi()));
     }
     for (const support::Finding& f : findings)

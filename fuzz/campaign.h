@@ -13,10 +13,11 @@ struct Plan {
     std::uint64_t seed = 1;
     std::uint64_t first = 0;
     int threads = 1;
-    std::uint64_t referee_every = 4; // every which case the reference judges; suspicious ones always
-    std::uint64_t verify_every =
-        16; // every which case the referee in 200 digits judges; disputed ones always
-    std::uint64_t witness_every = 16; // every which case FCL and libccd are asked
+    std::uint64_t rule_every = 1;     // every which case the referee judges; suspicious ones always
+    std::uint64_t digits_every = 500; // every which case it finds the contact of in 100 digits (closed forms
+                                      // in 200 too); disputed and undecided ones always
+    std::uint64_t reference_every = 16; // every which case the reference judges; suspicious ones always
+    std::uint64_t witness_every = 16;   // every which case FCL and libccd are asked
 };
 
 struct Outcome {

@@ -3,16 +3,37 @@
 
 #include "verdict.h"
 
-/// The referee in 200 digits, without its arithmetic; a build without MPFR has none.
+/// The referees without their arithmetic; a build without MPFR has none.
 namespace brink::fuzz {
 
-/// Whether it is there and can judge the query.
-bool verifiable(const support::Query&);
+/// Whether they are there and can judge the query.
+bool judgeable(const support::Query&);
 
-/// What it has against the answer; the checks are named "in 200 digits: ...". Only of what is `verifiable`.
+/// What the referee has against the answer: proven in long double where that is enough, else in 100 digits.
+struct Ruled {
+    support::Findings findings;
+    bool unsettled = false; // out of evaluations
+    bool in_digits = false; // long double was not enough
+};
+Ruled ruled(const support::Query&, const Toi&);
+
+/// First contact in 100 digits, beside the answer's.
+struct FirstContact {
+    bool meets = false;
+    bool in_doubt = false;
+    bool spent = false;   // out of evaluations
+    bool grazes = false;  // contact closes slowly, or there is none by next to nothing
+    double early = 0;     // contact less toi.t, in steps
+    double least_gap = 0; // the least seen, less the target gap
+    double closing_speed = 0;
+};
+FirstContact first_contact(const support::Query&, const Toi&);
+
+/// What the referee of the closed forms (200 digits, translation only) has against the answer; empty for
+/// other queries.
 support::Findings verified(const support::Query&, const Toi&);
 
-/// A line: contact, least gap and closing speed as they are.
+/// A line or two: contact, least gap and closing speed as they are.
 std::string truth_in_words(const support::Query&);
 
 } // namespace brink::fuzz

@@ -18,7 +18,8 @@ constexpr int failed = 3; // no process, no memory
 
 std::string known_pairs()
 {
-    std::string out = "all, closed (with a closed form), advancement (the others)";
+    std::string out = "all, closed (with a closed form), advancement (the others), smooth (two of cylinder, "
+                      "cone, ellipsoid), solid (one or two of those or of hull)";
     for (const Pair& pair : all_pairs())
         out += ", " + pair.name();
     return out;
@@ -29,13 +30,17 @@ std::string unknown_pair(const std::string& name)
     return "no pair is called '" + name + "'. There are: " + known_pairs();
 }
 
+bool smooth(std::size_t shape) { return shape >= 6 && shape < 9; }
+bool smooth(const Pair& pair) { return smooth(pair.first) && smooth(pair.second); }
+
 /// One name of --pairs: a pair or a group of pairs.
 std::vector<Pair> named(const std::string& name)
 {
     std::vector<Pair> out;
     for (const Pair& pair : all_pairs()) {
         const bool in_group = name == "all" || (name == "closed" && pair.closed_form()) ||
-                              (name == "advancement" && !pair.closed_form() && !pair.unbounded());
+                              (name == "advancement" && !pair.closed_form() && !pair.unbounded()) ||
+                              (name == "smooth" && smooth(pair)) || (name == "solid" && pair.second >= 6);
         if (in_group || pair.name() == name) out.push_back(pair);
     }
     return out;
@@ -65,11 +70,15 @@ const CLI::App* add_run(CLI::App& app, Arguments& arguments)
     run->add_option("--threads", plan.threads, "workers, each with an FCL process of its own")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
-    run->add_option("--referee-every", plan.referee_every, "every which case the reference judges")
+    run->add_option("--rule-every", plan.rule_every,
+                    "every which case the referee judges, in 100 digits where long double proves nothing")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
-    run->add_option("--verify-every", plan.verify_every,
-                    "every which case of a closed form the referee judges in 200 digits")
+    run->add_option("--digits-every", plan.digits_every,
+                    "every which case it finds the contact of in 100 digits, closed forms in 200 as well")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    run->add_option("--reference-every", plan.reference_every, "every which case the dense reference judges")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     run->add_option("--witness-every", plan.witness_every, "every which case FCL and libccd judge")

@@ -24,26 +24,71 @@ std::uint64_t fault_count(const Tally& tally)
 
 std::string row(const Pair& pair, const Tally& tally)
 {
+    const std::uint64_t undecided = count(tally, Status::undecided);
     return fmt::format(
-        "{:20} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>9} {:>9} {:>8} {:>9.1e} {:>9.1e} {:>6} {:>5} {:>5}\n",
+        "{:22} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>6} {:>9} {:>8} {:>7} {:>6} {:>8} {:>8} {:>6} {:>5} "
+        "{:>6}\n",
         pair.name(), judges(pair), tally.cases, count(tally, Status::hit), count(tally, Status::touching),
-        count(tally, Status::separated), count(tally, Status::undecided), tally.refereed, tally.verified,
-        tally.witnessed, tally.worst_over, tally.worst_under, fault_count(tally), tally.crashes + tally.hangs,
-        tally.brink_findings());
+        count(tally, Status::separated), undecided, undecided - std::min(undecided, tally.excused),
+        tally.ruled, tally.in_digits, tally.sworn, tally.unsettled, tally.referenced, tally.witnessed,
+        fault_count(tally), tally.crashes + tally.hangs, tally.brink_findings());
+}
+
+std::string median_and_most(std::vector<double> values)
+{
+    if (values.empty()) return fmt::format("{:>24}", "-");
+    std::sort(values.begin(), values.end());
+    return fmt::format("{:>6} {:>8.1e} {:>8.1e}", values.size(), values[values.size() / 2], values.back());
+}
+
+/// How early, and at what price.
+std::string second_row(const Pair& pair, const Tally& tally)
+{
+    const auto share = [](std::uint64_t part, std::uint64_t whole) {
+        return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+    };
+    std::string out =
+        fmt::format("{:22} {:>7.2f} {:>7.2f} {:>5}", pair.name(), share(tally.evaluations, tally.cases),
+                    share(tally.hit_evaluations, tally.advanced_hits), tally.most_evaluations);
+    for (const std::vector<double>& values : tally.early)
+        out += "  " + median_and_most(values);
+    return out + "\n";
+}
+
+/// Fewer than 1 in 100,000 is asked.
+std::string undecided_share(const Pair& pair, const Tally& tally)
+{
+    const std::uint64_t undecided = count(tally, Status::undecided);
+    constexpr double most = 1e-5;
+    const double share = static_cast<double>(undecided) / static_cast<double>(tally.cases);
+    if (share < most || undecided < 2) return {};
+    return fmt::format("  {:22} FAIL: undecided {} of {} ({:.1e}, asked {:.0e})\n", pair.name(), undecided,
+                       tally.cases, share, most);
 }
 
 std::string summary(const Pair& pair, const Tally& tally)
 {
     std::string out;
     if (tally.given_up > 0)
-        out += fmt::format("  {:20} {:>7} x the reference gave up\n", pair.name(), tally.given_up);
+        out += fmt::format("  {:22} {:>7} x the reference gave up\n", pair.name(), tally.given_up);
+    if (tally.unsettled > 0)
+        out += fmt::format("  {:22} {:>7} x the referee gave up\n", pair.name(), tally.unsettled);
+    out += undecided_share(pair, tally);
     for (const auto& [check, number] : tally.complaints_by_check)
-        out += fmt::format("  {:20} {:>7} x brink: {}{}\n", pair.name(), number, check,
+        out += fmt::format("  {:22} {:>7} x brink: {}{}\n", pair.name(), number, check,
                            number > Tally::most_printed ? ", the first of which follow" : "");
     return out;
 }
 
 } // namespace
+
+void Tally::add_early(double tolerance, double steps)
+{
+    std::size_t i = 0;
+    while (i < tolerances.size() && tolerance > tolerances[i])
+        ++i;
+    early[i].push_back(steps);
+}
 
 void Tally::add(const Fault& fault)
 {
@@ -64,12 +109,21 @@ void Tally::add(const Tally& other)
     cases += other.cases;
     for (std::size_t i = 0; i < by_status.size(); ++i)
         by_status[i] += other.by_status[i];
-    refereed += other.refereed;
-    verified += other.verified;
-    witnessed += other.witnessed;
-    worst_over = std::max(worst_over, other.worst_over);
-    worst_under = std::min(worst_under, other.worst_under);
+    ruled += other.ruled;
+    in_digits += other.in_digits;
+    unsettled += other.unsettled;
+    sworn += other.sworn;
+    in_doubt += other.in_doubt;
+    excused += other.excused;
+    referenced += other.referenced;
     given_up += other.given_up;
+    witnessed += other.witnessed;
+    evaluations += other.evaluations;
+    advanced_hits += other.advanced_hits;
+    hit_evaluations += other.hit_evaluations;
+    most_evaluations = std::max(most_evaluations, other.most_evaluations);
+    for (std::size_t i = 0; i < early.size(); ++i)
+        early[i].insert(early[i].end(), other.early[i].begin(), other.early[i].end());
     crashes += other.crashes;
     hangs += other.hangs;
     for (const auto& [cause, fault] : other.faults) {
@@ -98,6 +152,8 @@ std::string judges(const Pair& pair)
 {
     if (pair.unbounded()) return "(must be invalid)";
 #if BRINK_HAVE_FCL
+    if (pair.second == 9) return "referee";
+    if (pair.second >= 6) return pair.first == 4 || pair.first == 5 ? "referee" : "referee dist coll";
     if (pair.second >= 4) return pair.first < 3 ? "ref coll" : "ref";
     if (pair.first == 3) return "ref ccd";
     return pair.second == 3 ? "ref dist coll ccd" : "ref dist CA coll ccd";
@@ -108,20 +164,32 @@ std::string judges(const Pair& pair)
 
 std::string report(const std::vector<Pair>& pairs, const std::vector<Tally>& tallies)
 {
-    std::string out = fmt::format(
-        "{:20} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>9} {:>9} {:>8} {:>9} {:>9} {:>6} {:>5} {:>5}\n", "pair",
-        "judges", "cases", "hits", "touching", "separated", "undec.", "refereed", "verified", "by FCL",
-        "over", "under", "faults", "crash", "brink");
+    std::string out =
+        fmt::format("{:22} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>6} {:>9} {:>8} {:>7} {:>6} {:>8} {:>8} "
+                    "{:>6} {:>5} {:>6}\n",
+                    "pair", "judges", "cases", "hits", "touching", "separated", "undec.", "guilty", "ruled",
+                    "digits", "sworn", "unset.", "referen.", "by FCL", "faults", "crash", "brink");
     for (std::size_t i = 0; i < pairs.size(); ++i)
         out += row(pairs[i], tallies[i]);
-    out += "verified: by the referee in 200 digits. over, under: extremes of gap - target_gap at t of a hit "
-           "at tolerance <= 1e-9, by the reference. "
-           "faults: of FCL and "
-           "libccd, by "
-           "cause below.\ncrash: of their process, hangs included. brink: disagreements that are brink's.\n";
+    out += "guilty: undecided, and not known to graze. ruled: by the referee; digits: where long double "
+           "proved nothing. "
+           "sworn: contact found in digits. unset.: the referee gave up. referen.: by the dense "
+           "reference.\nfaults: of "
+           "FCL and libccd, by cause below. crash: of their process, hangs included. brink: disagreements "
+           "that are "
+           "brink's.\n\n";
+    out += fmt::format("{:22} {:>7} {:>7} {:>5}", "pair", "calls", "a hit", "most");
+    for (const char* tolerance : {"0", "to 1e-12", "to 1e-9", "to 1e-6", "above"})
+        out += fmt::format("  {:>24}", tolerance);
+    out += "\n";
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (!pairs[i].unbounded()) out += second_row(pairs[i], tallies[i]);
+    out += "calls: distance evaluations a query, a hit that was advanced, and the most of those. Then, by "
+           "tolerance, hits "
+           "that do not graze: how many were sworn, median and greatest of contact - t in steps.\n\n";
     for (std::size_t i = 0; i < pairs.size(); ++i)
         for (const auto& [cause, fault] : tallies[i].faults)
-            out += fmt::format("  {:20} {:>7} x {} (worst {:.3g}, index {})\n", pairs[i].name(), fault.count,
+            out += fmt::format("  {:22} {:>7} x {} (worst {:.3g}, index {})\n", pairs[i].name(), fault.count,
                                cause, fault.worst, fault.example);
     for (std::size_t i = 0; i < pairs.size(); ++i)
         out += summary(pairs[i], tallies[i]);

@@ -37,16 +37,24 @@ struct Complaint {
 struct Tally {
     std::uint64_t cases = 0;
     std::array<std::uint64_t, 5> by_status{};
-    std::uint64_t refereed = 0, verified = 0, witnessed = 0; // verified: by the referee in 200 digits
-    double worst_over = 0;                // gap - target_gap at t for a hit, by the reference: largest
-    double worst_under = 0;               // and least
-    std::uint64_t given_up = 0;           // by the reference, out of evaluations
+    std::uint64_t ruled = 0, in_digits = 0, unsettled = 0; // by the referee: cases, those that took digits,
+                                                           // and those in which it ran out of evaluations
+    std::uint64_t sworn = 0, in_doubt = 0; // whose contact was found in digits; decided by less than 1e-40
+    std::uint64_t excused = 0;             // undecided, and grazing
+    std::uint64_t referenced = 0, given_up = 0; // by the reference; out of evaluations
+    std::uint64_t witnessed = 0;
+    std::uint64_t evaluations = 0; // Toi::iterations of all, and of the hits that were advanced
+    std::uint64_t advanced_hits = 0, hit_evaluations = 0, most_evaluations = 0;
     std::uint64_t crashes = 0, hangs = 0; // of the witnesses
     std::map<std::string, FaultCount> faults;
     std::map<std::string, std::uint64_t> complaints_by_check;
     std::vector<Complaint> complaints; // the first `most_printed` of each check
     static constexpr std::uint64_t most_printed = 20;
+    /// How early hits were that do not graze, in steps, by tolerance: 0, to 1e-12, 1e-9, 1e-6, above.
+    static constexpr std::array<double, 4> tolerances{0, 1e-12, 1e-9, 1e-6};
+    std::array<std::vector<double>, tolerances.size() + 1> early;
 
+    void add_early(double tolerance, double steps);
     void add(const Fault&);
     void add(Complaint);
     void add(const Tally&);

@@ -13,7 +13,7 @@ namespace brink::fuzz {
 struct Case {
     std::uint64_t index = 0;
     support::Trial trial;
-    bool verified = false; // the referee in 200 digits has judged it
+    bool sworn = false; // its contact has been found in digits
 };
 
 /// What FCL and libccd had to say against an answer, judged by the reference.

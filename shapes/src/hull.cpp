@@ -2,10 +2,12 @@
 #include <brink/hull.h>
 
 #include "hull_data.h"
+#include "hull_proof.h"
 #include "scaling.h"
 #include "validity.h"
 
-#include <set>
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -35,28 +37,41 @@ void check(std::span<const Vec3> points)
                                         "] = " + in_words(points[i]) + " is not finite");
 }
 
+/// Each point once, in the order given.
 std::vector<Vec3> distinct(std::span<const Vec3> points)
 {
-    std::set<std::tuple<double, double, double>> seen;
+    const auto place = [&](std::size_t i) {
+        return std::tuple(points[i].x(), points[i].y(), points[i].z(), i);
+    };
+    const auto same = [&](std::size_t i, std::size_t j) { return load(points[i]) == load(points[j]); };
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return place(i) < place(j); });
+    order.erase(std::unique(order.begin(), order.end(), same), order.end());
+    std::sort(order.begin(), order.end());
     std::vector<Vec3> out;
-    for (const Vec3& p : points)
-        if (seen.insert({p.x(), p.y(), p.z()}).second) out.push_back(p);
+    for (const std::size_t i : order)
+        out.push_back(points[i]);
     return out;
 }
 
 V3 least(V3 a, V3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 V3 most(V3 a, V3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-/// The corners in the hull's own unit of length, and what holds them.
-void place_corners(HullData& data)
+/// The exponent of a unit of length in which no coordinate reaches 2, and the largest reaches 1.
+int unit_exponent(std::span<const Vec3> points)
 {
     double largest = 0;
-    for (const Vec3& p : data.vertices)
+    for (const Vec3& p : points)
         largest = std::max(largest, largest_coordinate(load(p)));
-    data.exponent = largest > 0 ? std::max(exponent(largest) - 1, least_exponent) : 0;
-    V3 low = scaled(load(data.vertices[0]), -data.exponent), high = low;
-    for (const Vec3& p : data.vertices) {
-        const V3 corner = scaled(load(p), -data.exponent);
+    return largest > 0 ? std::max(exponent(largest) - 1, least_exponent) : 0;
+}
+
+/// The corners in the hull's own unit of length, and what holds them.
+void place_corners(HullData& data, const std::vector<V3>& corners)
+{
+    V3 low = corners[0], high = low;
+    for (const V3 corner : corners) {
         data.x.push_back(corner.x);
         data.y.push_back(corner.y);
         data.z.push_back(corner.z);
@@ -65,8 +80,37 @@ void place_corners(HullData& data)
         data.reach = std::max(data.reach, sum_of_magnitudes(corner));
     }
     data.middle = 0.5 * (low + high);
-    for (int k = 0; k < data.count(); ++k)
-        data.ball = std::max(data.ball, norm(data.corner(k) - data.middle));
+    for (const V3 corner : corners)
+        data.ball = std::max(data.ball, norm(corner - data.middle));
+}
+
+/// Which of the points stay: the corners of a surface, and those that it does not hold.
+std::vector<bool> kept(const std::vector<V3>& points, const Surface& surface)
+{
+    std::vector<bool> stays(points.size(), surface.empty());
+    for (const Corners& f : surface.faces())
+        for (const int k : f)
+            stays[static_cast<std::size_t>(k)] = true;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        stays[i] = stays[i] || !surface.holds(points[i]);
+    return stays;
+}
+
+/// Who is whose neighbour along the edges of a surface; `place` says where a point is among the corners.
+void connect(HullData& data, const Surface& surface, const std::vector<int>& place)
+{
+    std::vector<std::vector<int>> next(static_cast<std::size_t>(data.count()));
+    for (const Corners& f : surface.faces())
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int from = place[static_cast<std::size_t>(f[k])];
+            const int to = place[static_cast<std::size_t>(f[(k + 1) % 3])];
+            next[static_cast<std::size_t>(from)].push_back(to);
+        }
+    for (const std::vector<int>& list : next) {
+        data.first_neighbour.push_back(static_cast<int>(data.neighbours.size()));
+        data.neighbours.insert(data.neighbours.end(), list.begin(), list.end());
+    }
+    data.first_neighbour.push_back(static_cast<int>(data.neighbours.size()));
 }
 
 } // namespace
@@ -74,9 +118,25 @@ void place_corners(HullData& data)
 Hull Hull::from_points(std::span<const Vec3> points)
 {
     check(points);
+    const std::vector<Vec3> given = distinct(points);
     auto data = std::make_shared<HullData>();
-    data->vertices = distinct(points);
-    place_corners(*data);
+    data->exponent = unit_exponent(given);
+    std::vector<V3> all;
+    for (const Vec3& p : given)
+        all.push_back(scaled(load(p), -data->exponent));
+
+    const Surface surface(all, proposed_faces(all));
+    const std::vector<bool> stays = kept(all, surface);
+    std::vector<V3> corners;
+    std::vector<int> place(all.size(), -1);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!stays[i]) continue;
+        place[i] = static_cast<int>(corners.size());
+        corners.push_back(all[i]);
+        data->vertices.push_back(given[i]);
+    }
+    place_corners(*data, corners);
+    if (surface.convex() && surface.corner_count() == corners.size()) connect(*data, surface, place);
     return Hull(std::move(data));
 }
 

@@ -7,12 +7,6 @@
 
 namespace brink {
 
-/// A half-space normal . x <= offset that holds every corner of a hull and supports it up to rounding.
-struct HullFace {
-    V3 normal; // unit, up to rounding
-    double offset = 0;
-};
-
 /// What copies of a Hull share. Its unit of length is 2^exponent, in which the largest coordinate lies in
 /// [1, 2): products of directions and corners stay in range whatever the scale. The vertices alone are in the
 /// caller's lengths.
@@ -24,8 +18,7 @@ struct HullData {
     double ball = 0;  // and its radius
     double reach = 0; // the largest sum of a corner's coordinates without their signs
 
-    // Only where every corner is proven to be one of a convex polyhedron with these faces; else empty.
-    std::vector<HullFace> faces;
+    // Only where the hull is proven to have these edges; else empty.
     std::vector<int> neighbours;      // of all corners, one after the other
     std::vector<int> first_neighbour; // where those of a corner begin; one more than there are corners
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core.h"
 #include "nearest.h"
+#include "point_round.h"
 #include "polytope.h"
 #include "scaling.h"
 #include "support.h"
@@ -108,6 +109,18 @@ Separation point_box(const Core& a, const Core& b)
     return {-dot(normal, local) - reach, distance, b.axes * normal, a.points[0], a.points[0] + b.axes * v};
 }
 
+Separation point_round(const Core& a, const Core& b)
+{
+    const V3 local = into(b.axes, a.points[0] - b.centre);
+    const double square = norm_squared(local) + norm_squared(b.half_extents);
+    if (!in_range(square) && square != 0) return the_long_way(a, b);
+    const FromPoint found = from_point(local, b);
+    if (found.gap != 0 && !in_range(found.gap * found.gap)) return the_long_way(a, b);
+    const double lower = round_interval(b, found.normal).low - dot(found.normal, local);
+    const V3 normal = b.axes * found.normal;
+    return {std::min(lower, found.gap), found.gap, normal, a.points[0], a.points[0] + found.gap * normal};
+}
+
 Separation segment_segment(const Core& a, const Core& b)
 {
     const V3 d = a.points[1] - a.points[0], e = b.points[1] - b.points[0], r = b.points[0] - a.points[0];
@@ -136,6 +149,9 @@ Separation core_separation(const Core& a, const Core& b)
             return point_triangle(a, b);
         case box:
             return point_box(a, b);
+        case cylinder:
+        case cone:
+            return point_round(a, b);
         default:
             break;
         }

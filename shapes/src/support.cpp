@@ -20,7 +20,8 @@ double solid_extent(const Core& c)
 
 double extent(const Core& c)
 {
-    if (c.kind == Core::Kind::hull) return largest_coordinate(c.centre) + c.hull->reach * norm(c.axes.x);
+    if (c.kind == Core::Kind::hull)
+        return largest_coordinate(c.centre) + c.hull->reach * careful_norm(c.axes.x);
     if (c.kind >= Core::Kind::box) return solid_extent(c);
     double largest = 0;
     for (int k = 0; k < c.count; ++k)
@@ -31,7 +32,7 @@ double extent(const Core& c)
 double reach(const Core& c)
 {
     const V3 h = c.half_extents;
-    if (c.kind == Core::Kind::hull) return norm(middle(c)) + c.hull->ball * norm(c.axes.x);
+    if (c.kind == Core::Kind::hull) return norm(middle(c)) + c.hull->ball * careful_norm(c.axes.x);
     if (c.kind == Core::Kind::ellipsoid) return norm(c.centre) + largest_coordinate(h);
     if (c.kind == Core::Kind::box) { // the corner on the far side of the centre
         const V3 centre = into(c.axes, c.centre);

@@ -35,4 +35,16 @@ inline constexpr double largest_scale = 0x1p200;
 inline constexpr double least_square = 0x1p-960;
 inline constexpr double largest_square = 0x1p960;
 
+/// By how much a determinant of differences of coordinates may be off, times the sum of its terms without
+/// signs (no unit): seven roundings (of epsilon / 2; J. Shewchuk 1997), doubled for safety.
+inline constexpr double side = 8 * epsilon;
+
+/// The same, whatever the terms, where coordinates are at most 2 and the normal is a cross product of two
+/// differences (volume unit): nine products of up to 64, four roundings each, some 2^9 epsilon, doubled.
+inline constexpr double plane = 0x1p-40;
+
+/// A ball that touches a plane at its computed distance is surely on the near side of it when the square of
+/// its radius is multiplied by this (no unit).
+inline constexpr double inner = 1 - 0x1p-20;
+
 } // namespace brink::tolerance

@@ -19,7 +19,7 @@ struct Fingerprint {
 };
 
 /// The pairs of the table in turn, each in both orders, one in four with Detail::time_only: as many of each
-/// pair, so that 9/21 are closed forms (a tenth of which turn and are advanced), 9/21 are advanced and 3/21
+/// pair, so that 9/55 are closed forms (a tenth of which turn and are advanced), 43/55 are advanced and 3/55
 /// are two unbounded bodies.
 Query mixed_query(std::uint64_t index);
 

@@ -19,13 +19,16 @@ Real33 turned(const Real3& axis, Real angle)
     return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};
 }
 
-/// How far from the pivot the shape's core reaches, and how large it is altogether.
+/// How far from the pivot the shape's core reaches: of a solid, a box around it.
 Real reach(const Shape& shape, const Real3& pivot)
 {
     const Placed local = place(shape, RealPose{-pivot, {}});
     Real farthest = 0;
     for (std::size_t i = 0; i < local.corner_count; ++i)
         farthest = std::max(farthest, norm(local.corners[i]));
+    if (local.kind != Placed::Kind::solid) return farthest;
+    for (const Vector<Real>& corner : local.solid->corners)
+        farthest = std::max(farthest, norm(Real3{corner.x, corner.y, corner.z} - pivot));
     return farthest;
 }
 
@@ -95,43 +98,44 @@ GapOverTime::GapOverTime(const Query& query)
 
 Gap GapOverTime::at(Real t) const { return gap(placed_a(t), placed_b(t)); }
 
-GapOverTime::Lines GapOverTime::lines(Real t, const Gap& here, Side side) const
+Real GapOverTime::Line::least(Real tau) const
+{
+    const Real3 along = normal + tau * turning;
+    const Real3 lowest = core.unbounded() ? Real3{} : farthest(core, -along);
+    return base + tau * rate + dot(along, lowest) - core.radius;
+}
+
+/// Along the normal for B, and against it for A, so that the two least heights add up to the separation.
+GapOverTime::Line GapOverTime::line(Real t, const Gap& here, Side side) const
 {
     const bool of_a = side == Side::a;
-    const Placed own = of_a ? placed_a(t) : placed_b(t);
     const Body& moving = of_a ? a_ : b_;
     const Body& base = of_a ? b_ : a_;
-    const bool over_ground = unbounded(of_a ? shape_b_ : shape_a_);
-    Lines out;
-    out.radius = own.radius;
-    if (own.unbounded()) {
-        out.line[out.count++] = {dot(here.normal, (of_a ? here.point_a : here.point_b) - here.point_a), 0};
+    const Real3 n = of_a ? -here.normal : here.normal;
+    Line out;
+    out.core = of_a ? placed_a(t) : placed_b(t);
+    if (out.core.unbounded()) {
+        out.base = dot(n, (of_a ? here.point_a : here.point_b) - here.point_a);
         return out;
     }
-    for (std::size_t i = 0; i < own.corner_count; ++i) {
-        const Real3& p = own.corners[i];
-        const Real3 v = over_ground ? moving.velocity(t, p) - base.velocity(t, p) : moving.velocity(t, p);
-        out.line[out.count++] = {dot(here.normal, p - here.point_a), dot(here.normal, v)};
-    }
+    out.normal = n;
+    out.base = -dot(n, here.point_a);
+    out.turning = cross(n, moving.turn * moving.axis);
+    out.rate = dot(n, moving.velocity(t, Real3{}));
+    if (!unbounded(of_a ? shape_b_ : shape_a_)) return out;
+    out.turning = out.turning - cross(n, base.turn * base.axis);
+    out.rate -= dot(n, base.velocity(t, Real3{}));
     return out;
 }
 
 Real GapOverTime::safe_step(Real t, const Gap& here, Real level, Real most) const
 {
     const Real by_speed = fastest_ > 0 ? std::min(most, (here.gap - level) / fastest_) : most;
-    const Lines a = lines(t, here, Side::a);
-    const Lines b = lines(t, here, Side::b);
+    const Line a = line(t, here, Side::a);
+    const Line b = line(t, here, Side::b);
     // Separation along a normal fixed in the world, or in the unbounded body, is at least this. It is concave
     // in tau: where it is above `level` at tau, it is before tau too.
-    const auto separation = [&](Real tau) {
-        Real low = std::numeric_limits<Real>::infinity();
-        Real high = -low;
-        for (std::size_t i = 0; i < b.count; ++i)
-            low = std::min(low, b.line[i].height + tau * b.line[i].rate);
-        for (std::size_t i = 0; i < a.count; ++i)
-            high = std::max(high, a.line[i].height + tau * a.line[i].rate);
-        return low - high - a.radius - b.radius - bend_ * tau * tau / 2;
-    };
+    const auto separation = [&](Real tau) { return a.least(tau) + b.least(tau) - bend_ * tau * tau / 2; };
     if (separation(most) > level) return most;
     Real safe = 0;
     Real unsafe = most;

@@ -126,6 +126,8 @@ bool is_border(std::size_t shape) { return shape == 4 || shape == 5; }
 
 bool Pair::unbounded() const { return is_border(first) && is_border(second); }
 
+bool Pair::has_reference() const { return second < 6 && !unbounded(); }
+
 bool Pair::closed_form() const
 {
     return (first == 0 && second < 6) || (first == 1 && (second == 1 || is_border(second)));
@@ -134,8 +136,8 @@ bool Pair::closed_form() const
 std::vector<Pair> all_pairs()
 {
     std::vector<Pair> pairs;
-    for (std::size_t i = 0; i < judged_shapes; ++i)
-        for (std::size_t j = i; j < judged_shapes; ++j)
+    for (std::size_t i = 0; i < shape_names.size(); ++i)
+        for (std::size_t j = i; j < shape_names.size(); ++j)
             pairs.push_back({i, j});
     return pairs;
 }
@@ -149,7 +151,8 @@ std::optional<Pair> pair_named(std::string_view name)
 
 Query query(const Pair& pair, Family family, std::uint64_t seed, std::uint64_t index)
 {
-    Random random(seed * 64 + pair.first * 8 + pair.second, index);
+    const std::uint64_t later = pair.second < 6 ? 0 : std::uint64_t{1} << 40U; // other streams than those of seeds
+    Random random(seed * 64 + pair.first * 8 + pair.second + later, index);
     const bool turning = random.chance(pair.closed_form() ? 0.1 : 0.5);
     const bool rotates = family == Family::rotation || (family == Family::any && turning);
     const Twist twist = draw_twist(random);

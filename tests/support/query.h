@@ -27,9 +27,6 @@ Toi answer(const Query&);
 inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_names{
     "sphere", "capsule", "box", "triangle", "plane", "half_space", "cylinder", "cone", "ellipsoid", "hull"};
 
-/// The first so many shapes are those that the reference and the referee know.
-inline constexpr std::size_t judged_shapes = 6;
-
 /// Two shapes by their index in the variant, first <= second.
 struct Pair {
     std::size_t first = 0;
@@ -37,12 +34,14 @@ struct Pair {
     std::string name() const; // "sphere-half_space"
     /// Two of plane and half-space, which every query answers with `invalid`.
     bool unbounded() const;
+    /// Whether the dense reference judges it: two of sphere, capsule, box, triangle, plane and half-space.
+    bool has_reference() const;
     /// Whether the pair has a closed form under translation.
     bool closed_form() const;
 };
 
-/// Every pair of judged shapes, in the order of the table: sphere-sphere, sphere-capsule, ...
-/// half_space-half_space.
+/// Every pair, in the order of the table: sphere-sphere, sphere-capsule, ...
+/// hull-hull.
 std::vector<Pair> all_pairs();
 
 /// Empty for a name that is none of all_pairs().
@@ -58,5 +57,11 @@ enum class Family : unsigned char {
 /// grazes within 1e-3 to 1e-12, and as many each are parallel, touching or overlapping at the start, far from
 /// the origin, exact in small integers, thin walls crossed in one step.
 Query query(const Pair&, Family, std::uint64_t seed, std::uint64_t index);
+
+/// The same made nastier where something turns, for long campaigns: four in five turn, by up to 60 degrees,
+/// up to 300, ten turns and seldom a hundred, one body or both; needles; bodies that rock on their nearest
+/// corner; target gaps tuned to the least gap of the whole motion; tolerances of 1e-12, 1e-9, 1e-6, 1e-4 and
+/// 0.
+Query campaign_query(const Pair&, std::uint64_t seed, std::uint64_t index);
 
 } // namespace brink::support

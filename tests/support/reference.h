@@ -7,7 +7,9 @@
 namespace brink::support {
 
 /// The gap of a query's shapes over time, in long double, about the start of body B so that a common offset
-/// costs nothing. Both shapes must be valid and at most one of them unbounded.
+/// costs nothing. Both shapes must be valid and at most one of them unbounded. Of a cylinder, cone, ellipsoid
+/// or hull that overlaps another no depth is known, and what is near is known to fewer digits: enough to aim
+/// by.
 class GapOverTime {
 public:
     explicit GapOverTime(const Query&);
@@ -44,17 +46,17 @@ private:
     };
     static Body body(const Shape&, const Motion&, const Real3& origin);
 
-    /// Each core corner's height along the normal, and its rate.
-    struct Lines {
-        struct Line {
-            Real height, rate;
-        };
-        std::array<Line, 8> line;
-        std::size_t count = 0;
-        Real radius = 0;
+    /// Where the points of a core are along the normal, from point_a of the gap, and how fast they move along
+    /// it: at the point p, base + p . normal and rate + p . turning.
+    struct Line {
+        Placed core;
+        Real3 normal, turning;
+        Real base = 0, rate = 0;
+        /// The least of base + tau * rate over the core.
+        Real least(Real tau) const;
     };
     enum class Side : unsigned char { a, b };
-    Lines lines(Real t, const Gap& here, Side side) const;
+    Line line(Real t, const Gap& here, Side side) const;
 
     Shape shape_a_, shape_b_;
     Real3 origin_;

@@ -81,23 +81,58 @@ Placed place(const HalfSpace& s, const RealPose& pose)
     return unbounded(Kind::half_space, s.normal, s.offset, pose);
 }
 
-/// Not among the judged shapes: no point of it is known.
-template <class Unjudged> Placed place(const Unjudged&, const RealPose&) { return {}; }
+Vector<Real> vector(const Real3& v) { return {v.x, v.y, v.z}; }
+Real3 real3(const Vector<Real>& v) { return {v.x, v.y, v.z}; }
+using support::real3;
+
+template <class Curved> Placed place(const Curved& s, const RealPose& pose)
+{
+    Placed out;
+    out.kind = Kind::solid;
+    out.solid = std::make_shared<const Solid<Real>>(solid<Real>(s));
+    const Real33& m = pose.orientation;
+    out.placement = placed(*out.solid, vector(pose.position), {vector(m.x), vector(m.y), vector(m.z)});
+    return out;
+}
+
+/// The same core for bracket(), in the frame of the corners.
+Placed as_solid(const Placed& s)
+{
+    if (s.kind == Kind::solid) return s;
+    Placed out = s;
+    Solid<Real> core;
+    core.core = Core::cloud;
+    for (std::size_t i = 0; i < s.corner_count; ++i)
+        core.corners.push_back(vector(s.corners[i]));
+    out.solid = std::make_shared<const Solid<Real>>(core);
+    out.placement = placed(*out.solid, {}, Matrix<Real>{});
+    return out;
+}
+
+Gap gap_of_solids(const Placed& a, const Placed& b)
+{
+    const Placed solid_a = as_solid(a);
+    const Placed solid_b = as_solid(b);
+    const Bracket<Real> found = bracket(solid_a.placement, solid_b.placement, Real(0));
+    const Real3 n = real3(found.normal);
+    const Real gap = found.upper - a.radius - b.radius;
+    return {gap, n, real3(found.point_a) + a.radius * n, real3(found.point_b) - b.radius * n,
+            found.points_known};
+}
 
 /// A bounded shape against a plane or a half-space.
 Gap gap_above(const Placed& body, const Placed& ground)
 {
     const auto height = [&](const Real3& p) { return dot(ground.normal, p) - ground.offset; };
-    const auto lower = [&](const Real3& p, const Real3& q) { return height(p) < height(q); };
-    const auto* const end = body.corners.begin() + static_cast<std::ptrdiff_t>(body.corner_count);
-    const auto [lowest, highest] = std::minmax_element(body.corners.begin(), end, lower);
-    const Real above = height(*lowest) - body.radius;
-    const Real below = -height(*highest) - body.radius;
+    const Real3 lowest = farthest(body, -ground.normal);
+    const Real3 highest = farthest(body, ground.normal);
+    const Real above = height(lowest) - body.radius;
+    const Real below = -height(highest) - body.radius;
     if (ground.kind == Kind::half_space || above >= below) {
-        const Real3 on_body = *lowest - body.radius * ground.normal;
+        const Real3 on_body = lowest - body.radius * ground.normal;
         return {above, -ground.normal, on_body, on_body - above * ground.normal, true};
     }
-    const Real3 on_body = *highest + body.radius * ground.normal;
+    const Real3 on_body = highest + body.radius * ground.normal;
     return {below, ground.normal, on_body, on_body + below * ground.normal, true};
 }
 
@@ -122,10 +157,20 @@ Placed place(const Shape& shape, const RealPose& pose)
     return std::visit([&](const auto& s) { return place(s, pose); }, shape);
 }
 
+Real3 farthest(const Placed& s, const Real3& n)
+{
+    if (s.kind == Kind::solid) return real3(s.placement.support(vector(n)));
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < s.corner_count; ++i)
+        if (dot(n, s.corners[i]) > dot(n, s.corners[best])) best = i;
+    return s.corners[best];
+}
+
 Gap gap(const Placed& a, const Placed& b)
 {
     if (b.unbounded()) return gap_above(a, b);
     if (a.unbounded()) return flipped(gap_above(b, a));
+    if (a.kind == Kind::solid || b.kind == Kind::solid) return gap_of_solids(a, b);
     const Real radii = a.radius + b.radius;
     if (cores_meet(a, b)) {
         // Thin triangles may seem pierced by rounding; an axis that separates is proof that they are not.

@@ -104,13 +104,7 @@ Findings judge_start(Trial& trial)
 /// How far the core reaches along n, from `origin`.
 std::array<Real, 2> extent(const Placed& s, const Real3& n, const Real3& origin)
 {
-    Real low = std::numeric_limits<Real>::infinity();
-    Real high = -low;
-    for (std::size_t i = 0; i < s.corner_count; ++i) {
-        low = std::min(low, dot(n, s.corners[i] - origin));
-        high = std::max(high, dot(n, s.corners[i] - origin));
-    }
-    return {low, high};
+    return {dot(n, farthest(s, -n) - origin), dot(n, farthest(s, n) - origin)};
 }
 
 /// A body's height above the ground along `up`, which must be the ground's normal or, for a plane, its
@@ -129,8 +123,8 @@ Real separation(const Placed& a, const Placed& b, const Real3& n)
 {
     if (b.unbounded()) return height(a, b, -n);
     if (a.unbounded()) return height(b, a, n);
-    const auto [low_a, high_a] = extent(a, n, a.corners[0]);
-    const auto [low_b, high_b] = extent(b, n, a.corners[0]);
+    const auto [low_a, high_a] = extent(a, n, Real3{});
+    const auto [low_b, high_b] = extent(b, n, Real3{});
     return low_b - high_a - a.radius - b.radius;
 }
 
