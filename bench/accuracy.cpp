@@ -2,13 +2,13 @@
 #include "accuracy.h"
 
 #include "accuracy_point.h"
-#include "accuracy_truth.h"
 #include "machine.h"
 #include "pair_sample.h"
 
 #include <benchmark/benchmark.h>
 #include <fcl.h>
 #include <fmt/format.h>
+#include <reference.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,8 @@ constexpr int repetitions = 15;
 /// A query with a contact that does not graze.
 struct Hit {
     Pair pair;
-    Truth truth;
+    support::Real t;     // of first contact, by long double and brute force
+    support::Real doubt; // t is within this
 };
 
 /// The queries of one pair that count, and FCL's geometries of the bodies.
@@ -36,14 +37,25 @@ struct Hits {
     std::vector<Hit> hits;
 };
 
+/// Empty for a query that does not count.
+std::optional<Hit> judged(const Sample& sample, const Pair& pair)
+{
+    const Body& a = sample.bodies[pair.a];
+    const Body& b = sample.bodies[pair.b];
+    const support::Query query{a.shape, a.motion, b.shape, b.motion, {}};
+    const support::GapOverTime motion(query);
+    const support::Reference known = support::reference(query, motion);
+    if (known.gave_up || !known.contact || known.grazing) return std::nullopt;
+    return Hit{pair, known.t, support::blur(motion) / known.closing_speed};
+}
+
 Hits draw_hits(const PairKind& kind, int queries, Progress& progress)
 {
     Hits out{draw_sample(kind, Turning::to_60_degrees, static_cast<std::size_t>(queries)), {}, {}};
     for (const Body& body : out.sample.bodies)
         out.fcl.emplace_back(body.shape);
     for (const Pair& pair : out.sample.mixed) {
-        const Truth known = truth(out.sample.bodies[pair.a], out.sample.bodies[pair.b]);
-        if (known.known && known.contact && !known.grazing) out.hits.push_back({pair, known});
+        if (const std::optional<Hit> hit = judged(out.sample, pair)) out.hits.push_back(*hit);
         progress.step();
     }
     return out;
@@ -69,13 +81,13 @@ void judge(AccuracyPoint& point, const Hits& of, const std::vector<std::optional
 {
     std::vector<double> errors;
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        const Truth& known = of.hits[i].truth;
+        const Hit& hit = of.hits[i];
         if (!answers[i]) {
             ++point.missed;
             continue;
         }
-        const support::Real after = *answers[i] - known.t;
-        if (after > known.doubt + 0x1p-53L) ++point.late;
+        const support::Real after = *answers[i] - hit.t;
+        if (after > hit.doubt + 0x1p-53L) ++point.late;
         errors.push_back(static_cast<double>(std::abs(after)));
     }
     if (errors.empty()) return;
