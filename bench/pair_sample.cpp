@@ -89,12 +89,13 @@ constexpr std::array not_turning{
     PairKind{"sphere-plane", draw_sphere, draw_plane},
     PairKind{"sphere-half_space", draw_sphere, draw_half_space},
     PairKind{"capsule-capsule", draw_capsule, draw_capsule},
-    PairKind{"capsule-plane", draw_capsule, draw_plane},
-    PairKind{"capsule-half_space", draw_capsule, draw_half_space},
     PairKind{"capsule-box", draw_capsule, draw_box},
     PairKind{"capsule-triangle", draw_capsule, draw_triangle},
+    PairKind{"capsule-plane", draw_capsule, draw_plane},
+    PairKind{"capsule-half_space", draw_capsule, draw_half_space},
     PairKind{"box-box", draw_box, draw_box},
     PairKind{"box-triangle", draw_box, draw_triangle},
+    PairKind{"triangle-triangle", draw_triangle, draw_triangle},
     PairKind{"hull-hull", draw_hull, draw_hull},
 };
 

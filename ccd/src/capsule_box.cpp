@@ -226,7 +226,7 @@ Entry CapsuleBox::proof(const Contact& c, double early) const
     const double height =
         dot(axis, m_.from) + std::min(dot(axis, start_), dot(axis, end)) - dot(magnitudes(out), half);
     Entry e = proven(
-        endless(m_), reach_, axis, height, early,
+        whole_step(m_), reach_, axis, height, early,
         [&](V3 p) {
             const V3 q = into(turn_, p + on);
             return turn_ * (q - beyond(q, half)) - on;

@@ -64,11 +64,11 @@ template <class Nearest, class Later>
     return {c.t_upper > m.t_max ? Found::doubt : Found::hit, c.t, c.t_upper, Meeting{at, met, -axis, false}};
 }
 
-/// The same without an end, and what it found cut at t_max: for pairs whose doubts go to the advancement,
-/// which must not come out otherwise for another t_max. Contact not proven by t_max is still told.
-static inline Approach endless(const Approach& m)
+/// The same to the end of the step, and what it found cut at t_max: for pairs whose doubts go to the
+/// advancement, which must not come out otherwise for another t_max. Contact not proven by t_max is told too.
+static inline Approach whole_step(const Approach& m)
 {
-    return {m.from, m.by, m.target_gap, infinity, m.motion_a, m.motion_b};
+    return {m.from, m.by, m.target_gap, 1, m.motion_a, m.motion_b};
 }
 static inline Entry cut(Entry e, double t_max)
 {

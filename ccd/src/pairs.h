@@ -17,6 +17,7 @@ Entry sphere_plane(const Sphere&, const Plane&, const Approach&);
 Entry sphere_half_space(const Sphere&, const HalfSpace&, const Approach&);
 Entry capsule_capsule(const Capsule&, const Capsule&, const Approach&);
 Entry capsule_box(const Capsule&, const Box&, const Approach&);
+Entry capsule_triangle(const Capsule&, const Triangle&, const Approach&);
 Entry box_box(const Box&, const Box&, const Approach&);
 Entry capsule_plane(const Capsule&, const Plane&, const Approach&);
 Entry capsule_half_space(const Capsule&, const HalfSpace&, const Approach&);

@@ -5,6 +5,7 @@
 #include "glance.h"
 #include "support.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace brink {
@@ -30,12 +31,20 @@ public:
     Entry entry();
 
 private:
+    bool passes_by() const;
     Point across(V3 of_b, V3 of_a) const;
     Point farthest(V3 n) const;
     /// The axis across the path along which a point's height is x u + y v.
     V3 axis(double x, double y) const { return x * u_ + y * v_; }
 
     bool apart_along(V3 n, const Point& top) const;
+    /// Whether the portal's corners all lie in the supporting plane, rounding of its normal included.
+    bool in_plane(V3 n, const Point& top) const
+    {
+        const double least = dot(n, top.place) - reach_.slack * norm(n);
+        return all(dot(n, portal_[0].place) >= least, dot(n, portal_[1].place) >= least,
+                   dot(n, portal_[2].place) >= least);
+    }
     std::optional<Entry> open_portal();
     Entry refined();
     Entry surface(V3 n, const Crossing& c) const;
@@ -80,6 +89,26 @@ bool Cast::apart_along(V3 n, const Point& top) const
     return above > 0 && above + dot(n, m_.by) > 0;
 }
 
+/// A ball about a turned core's middle.
+double ball(const Core& c)
+{
+    const double radius = c.kind == Core::Kind::hull  ? c.hull->ball * norm(c.axes.x)
+                          : c.kind == Core::Kind::box ? norm(c.half_extents)
+                                                      : norm(middle(c)) + brink::reach(c);
+    return radius * (1 + tolerance::holding_slack);
+}
+
+/// Whether balls about the cores never touch: half of all misses end there.
+bool Cast::passes_by() const
+{
+    const V3 from = m_.from + (middle(a_) - middle(b_));
+    const double radius = ball(a_) + ball(b_) + reach_.margin, speed_squared = norm_squared(m_.by);
+    const double closing = -dot(from, m_.by);
+    const double s = closing > 0 ? std::min(closing, speed_squared) : 0; // of the path, times speed squared
+    return norm_squared(speed_squared * from + s * m_.by) >
+           radius * radius * speed_squared * speed_squared * (1 + tolerance::holding_slack);
+}
+
 /// Seen along the path, a triangle that it passes through: the middle of the difference and two corners,
 /// found by turning about the middle and then moving outwards. Empty where there is one.
 std::optional<Entry> Cast::open_portal()
@@ -122,7 +151,7 @@ Entry Cast::refined()
         const Point top = farthest(n);
         const Crossing c = crossing(-dot(n, top.place), -dot(n, m_.by), slack);
         if (c.closing && c.t > 1) return {.found = Found::apart};
-        if (dot(n, top.place - portal_[1].place) <= slack) return surface(n, c);
+        if (dot(n, top.place - portal_[1].place) <= slack) return in_plane(n, top) ? surface(n, c) : Entry{};
         const double turns[] = {turn(portal_[0], top), turn(portal_[1], top), turn(portal_[2], top)};
         int kept = 0; // with the next one
         while (kept < 3 && !(turns[kept] <= 0 && turns[(kept + 1) % 3] >= 0))
@@ -133,19 +162,20 @@ Entry Cast::refined()
     return {};
 }
 
-/// The path pierces the portal, which lies in a supporting plane: contact between the two crossings, unless
-/// it does so at the portal's border, where that is likely.
+/// The portal lies in a supporting plane and the path passes through it: contact between the two crossings,
+/// unless that is at the portal's border, where it is likely.
 Entry Cast::surface(V3 n, const Crossing& c) const
 {
     if (!c.closing || c.blurred()) return {};
     const double speed = norm(m_.by), drift = speed * (c.t_upper - c.t);
+    const V3 at = c.t * m_.by;
     double weight[3], sum = 0;
     bool inside = true;
     for (int i = 0; i < 3; ++i) {
         const Point &p = portal_[(i + 1) % 3], &q = portal_[(i + 2) % 3];
-        weight[i] = turn(p, q);
+        inside &= turn(p, q) >= (8 * reach_.slack + drift) * speed * norm(q.place - p.place);
+        weight[i] = std::max(0.0, dot(n, cross(p.place - at, q.place - at)));
         sum += weight[i];
-        inside &= weight[i] >= (8 * reach_.slack + drift) * speed * norm(q.place - p.place);
     }
     if (!(sum > 0) || (!inside && drift > tolerance::loose_drift * reach_.slack)) return {.t = c.t};
     V3 on_a{}, between{};
@@ -153,14 +183,14 @@ Entry Cast::surface(V3 n, const Crossing& c) const
         on_a = on_a + (weight[i] / sum) * portal_[i].on_a;
         between = between + (weight[i] / sum) * portal_[i].place;
     }
-    const V3 met = m_.from + c.t * m_.by + on_a;
-    return {Found::hit, c.t, inside ? c.t_upper : infinity,
-            Meeting{met, met + (between - c.t * m_.by), -n, true}};
+    const V3 met = m_.from + at + on_a;
+    return {Found::hit, c.t, inside ? c.t_upper : infinity, Meeting{met, met + (between - at), -n, true}};
 }
 
 Entry Cast::entry()
 {
     if (m_.by == V3{}) return {};
+    if (passes_by()) return {.found = Found::apart};
     const std::optional<Entry> without_portal = open_portal();
     return without_portal ? *without_portal : refined();
 }

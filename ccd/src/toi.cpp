@@ -285,9 +285,9 @@ using U = Hull;
 constexpr std::array table{
     //     Sphere                   Capsule                   Box                Triangle                Plane                 HalfSpace                  Cylinder       Cone           Ellipsoid      Hull
     row<S>(exact<sphere_sphere>,    exact<sphere_capsule>,    exact<sphere_box>, exact<sphere_triangle>, exact<sphere_plane>,  exact<sphere_half_space>,  advance<S, Y>, advance<S, N>, advance<S, E>, advance<S, U>),
-    row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,   direct<capsule_box>,    advance<C, T>,          exact<capsule_plane>, exact<capsule_half_space>, advance<C, Y>, advance<C, N>, advance<C, E>, advance<C, U>),
+    row<C>(flip<sphere_capsule>,    exact<capsule_capsule>,   direct<capsule_box>,    direct<capsule_triangle>,         exact<capsule_plane>, exact<capsule_half_space>, advance<C, Y>, advance<C, N>, advance<C, E>, advance<C, U>),
     row<X>(flip<sphere_box>,        flip<capsule_box>,           direct<box_box>,    cast<X, T>,          advance<X, P>,        advance<X, H>,             advance<X, Y>, advance<X, N>, advance<X, E>, cast<X, U>),
-    row<T>(flip<sphere_triangle>,   advance<T, C>,            cast<T, X>,     cast<T, T>,          advance<T, P>,        advance<T, H>,             advance<T, Y>, advance<T, N>, advance<T, E>, cast<T, U>),
+    row<T>(flip<sphere_triangle>,   flip<capsule_triangle>,           cast<T, X>,     cast<T, T>,          advance<T, P>,        advance<T, H>,             advance<T, Y>, advance<T, N>, advance<T, E>, cast<T, U>),
     row<P>(flip<sphere_plane>,      flip<capsule_plane>,      advance<P, X>,     advance<P, T>,          never<P, P>,          never<P, H>,               advance<P, Y>, advance<P, N>, advance<P, E>, advance<P, U>),
     row<H>(flip<sphere_half_space>, flip<capsule_half_space>, advance<H, X>,     advance<H, T>,          never<H, P>,          never<H, H>,               advance<H, Y>, advance<H, N>, advance<H, E>, advance<H, U>),
     row<Y>(advance<Y, S>,           advance<Y, C>,            advance<Y, X>,     advance<Y, T>,          advance<Y, P>,        advance<Y, H>,             advance<Y, Y>, advance<Y, N>, advance<Y, E>, advance<Y, U>),

@@ -63,6 +63,9 @@ inline constexpr double slab_slack = 160 * unit_roundoff;
 /// edge to edge too far for it to be proven.
 inline constexpr double thin = 0x1p-20;
 
+/// A face that a path leaves at less than this sine may, by rounding, be one that it nears.
+inline constexpr double edge_on = 0x1p-40;
+
 /// Where the path goes over a face by no more than this many slacks from the time proven apart to the time
 /// of contact, the one is as good as the other.
 inline constexpr double loose_drift = 16;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull_data.h"
+#include "lanes.h"
 
 namespace brink {
 
@@ -7,34 +8,56 @@ namespace {
 
 /// Up to so many corners looking at all of them is quicker than walking from one to the next.
 constexpr int most_scanned = 64;
-constexpr int lanes = 4;
 
-/// Of every so-manieth corner: in steps of four, each with its own best, so that nothing waits for the step
-/// before.
-int scan(const HullData& h, V3 d, int stride)
+/// The highest corners so far, two side by side, and which those are.
+struct Top {
+    Two height = both(-infinity), corner{};
+
+    void look(Two other, Two at)
+    {
+        corner = select(other > height, at, corner);
+        height = larger(other, height);
+    }
+};
+
+/// Of all corners: by two, each with its own best, so that nothing waits for the step before.
+int scan(const HullData& h, V3 d)
 {
     const int count = h.count();
-    double best[lanes];
-    int at[lanes];
-    for (int i = 0; i < lanes; ++i)
-        best[i] = -infinity, at[i] = 0;
+    const XYZ<Two> way = both(d);
+    const double *x = h.x.data(), *y = h.y.data(), *z = h.z.data();
+    const auto heights = [&](int k) {
+        return dot(XYZ<Two>{load_two(x + k), load_two(y + k), load_two(z + k)}, way);
+    };
+    Top even, odd;
+    Two at{0, 1};
     int k = 0;
-    for (; k + (lanes - 1) * stride < count; k += lanes * stride) {
-        for (int i = 0; i < lanes; ++i) {
-            const double height = dot(h.corner(k + i * stride), d);
-            const bool higher = height > best[i];
-            best[i] = higher ? height : best[i];
-            at[i] = higher ? k + i * stride : at[i];
-        }
+    for (; k + 4 <= count; k += 4) {
+        even.look(heights(k), at);
+        odd.look(heights(k + 2), at + both(2));
+        at = at + both(4);
     }
-    for (; k < count; k += stride) {
+    if (k + 2 <= count) even.look(heights(k), at), k += 2;
+    const TwoFlags later = odd.height > even.height;
+    const Two height = select(later, odd.height, even.height),
+              corner = select(later, odd.corner, even.corner);
+    const bool second = height[1] > height[0];
+    const double highest = second ? height[1] : height[0];
+    const int best = static_cast<int>(second ? corner[1] : corner[0]);
+    if (k < count && dot(h.corner(k), d) > highest) return k;
+    return best;
+}
+
+/// The highest of every so-manieth corner.
+int sample(const HullData& h, V3 d, int stride)
+{
+    int best = 0;
+    double highest = dot(h.corner(0), d);
+    for (int k = stride; k < h.count(); k += stride) {
         const double height = dot(h.corner(k), d);
-        if (height > best[0]) best[0] = height, at[0] = k;
+        if (height > highest) highest = height, best = k;
     }
-    int winner = 0;
-    for (int i = 1; i < lanes; ++i)
-        if (best[i] > best[winner]) winner = i;
-    return at[winner];
+    return best;
 }
 
 /// From corner to highest neighbour, to where none is higher: on a convex polyhedron that is the highest of
@@ -43,7 +66,7 @@ int scan(const HullData& h, V3 d, int stride)
 int climb(const HullData& h, V3 d)
 {
     const auto at = [&](int k) { return static_cast<std::size_t>(k); };
-    int top = scan(h, d, h.count() / most_scanned);
+    int top = sample(h, d, h.count() / most_scanned);
     for (int step = 0; step < h.count(); ++step) {
         const V3 corner = h.corner(top);
         double highest = 0;
@@ -56,14 +79,14 @@ int climb(const HullData& h, V3 d)
         if (next == top) return top;
         top = next;
     }
-    return scan(h, d, 1);
+    return scan(h, d);
 }
 
 } // namespace
 
 int farthest(const HullData& h, V3 d)
 {
-    return h.count() <= most_scanned || h.neighbours.empty() ? scan(h, d, 1) : climb(h, d);
+    return h.count() <= most_scanned || h.neighbours.empty() ? scan(h, d) : climb(h, d);
 }
 
 } // namespace brink

@@ -3,6 +3,8 @@
 
 #include "vector.h"
 
+#include <cstring>
+
 #ifdef __SSE2__
 #include <immintrin.h>
 #endif
@@ -18,6 +20,14 @@ using TwoFlags = long long __attribute__((vector_size(16)));
 static inline Two both(double value) { return Two{value, value}; }
 static inline XYZ<Two> both(V3 v) { return {both(v.x), both(v.y), both(v.z)}; }
 static inline XYZ<Two> pair(V3 a, V3 b) { return {Two{a.x, b.x}, Two{a.y, b.y}, Two{a.z, b.z}}; }
+
+/// Two that lie side by side in memory.
+static inline Two load_two(const double* p)
+{
+    Two v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+}
 
 static inline Two select(TwoFlags which, Two yes, Two no) { return which ? yes : no; }
 
