@@ -62,7 +62,7 @@ void describe_stability(CLI::App& part, StabilityOptions& options)
 void describe_accuracy(CLI::App& part, AccuracyOptions& options)
 {
     part.add_option("--queries", options.queries, "of each pair, half of them hits")
-        ->check(CLI::Range(2, 100'000))
+        ->check(CLI::Range(100, 100'000))
         ->capture_default_str();
     part.add_option("--pairs", options.pairs, "which, separated by commas")
         ->delimiter(',')
