@@ -140,7 +140,9 @@ TEST_CASE("advancement holds the closed forms, and they hold it")
         const Vec3 by = drift + 1.5 * (aim - from);
         const Motion motion_a = moving(from, by), motion_b = moving(Vec3(0, 0, 0), drift);
         const Toi exact = time_of_impact(a, motion_a, b, motion_b);
-        const Toi solved = certified_advancement(mover(a, motion_a), mover(b, motion_b), tight);
+        const Shape shape_a = a, shape_b = b;
+        const Toi solved = certified_advancement(mover(a, motion_a), mover(b, motion_b), tight,
+                                                 {{shape_a, motion_a, shape_b, motion_b, tight}});
         CAPTURE(i);
         if (solved.status == Status::undecided) continue;
         CHECK(exact.status == solved.status);

@@ -23,7 +23,7 @@ public:
         : course_(a, b, options), watch_(a.part, b.part, course_.radii + course_.tolerance)
     {
     }
-    Toi run();
+    Toi run(const StartOracle&);
     Toi from_contact();
     std::optional<Toi> from_proven_contact();
     void describe(Toi& toi);
@@ -43,6 +43,7 @@ private:
     Toi hit();
     double contact_by();
     bool in_contact(double later);
+    bool begins_in_contact(const Separation& start, const StartOracle&) const;
     Toi go_on_from(const Separation& start);
     Toi approach();
     Toi approach_anew();
@@ -218,8 +219,14 @@ template <class Part> bool Advance<Part>::in_contact(double later)
         if (course_.radii > 0) return norm(b - a) + course_.rounding <= course_.radii;
         // Each body stays where it is, and the other's point goes where it will be beside it.
         const V3 beside_b = into(at.turn_b, a - at.pivot_b) + f.b.pivot;
-        return depth(f.b.part, beside_b) > course_.rounding ||
-               depth(f.a.part, into(at.turn_a, b)) > course_.rounding;
+        if (depth(f.b.part, beside_b) > course_.rounding ||
+            depth(f.a.part, into(at.turn_a, b)) > course_.rounding)
+            return true;
+        const double now = course_.now();
+        course_.go(later);
+        const bool proven = watch_.overlap(f, course_.rounding);
+        course_.go(now);
+        return proven;
     }
 }
 
@@ -232,14 +239,24 @@ template <class Part> Toi Advance<Part>::go_on_from(const Separation& start)
     return approach();
 }
 
-template <class Part> Toi Advance<Part>::run()
+template <class Part> Toi Advance<Part>::run(const StartOracle& oracle)
 {
     if (course_.window.empty || course_.window.begin > course_.options.t_max) return course_.apart();
     course_.go(course_.window.begin);
     look();
     if (course_.now() > 0 || !there()) return approach();
     const Separation start = course_.separated();
-    return start.gap <= course_.options.target_gap ? from_contact() : go_on_from(start);
+    return begins_in_contact(start, oracle) ? from_contact() : go_on_from(start);
+}
+
+/// Late is worse than early: in doubt it is contact.
+template <class Part>
+bool Advance<Part>::begins_in_contact(const Separation& start, const StartOracle& oracle) const
+{
+    const double gap = start.gap - course_.options.target_gap;
+    if (oracle.in_contact != nullptr && std::fabs(gap) <= course_.rounding)
+        return oracle.in_contact(oracle.query);
+    return gap <= tolerance::shown * course_.rounding;
 }
 
 template <class Part> Toi Advance<Part>::from_contact()
@@ -272,9 +289,10 @@ template <class Part> void Advance<Part>::describe(Toi& toi)
 } // namespace
 
 template <class Part>
-Toi certified_advancement(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
+Toi certified_advancement(const Mover<Core>& a, const Mover<Part>& b, const Options& options,
+                          const StartOracle& oracle)
 {
-    return Advance<Part>(a, b, options).run();
+    return Advance<Part>(a, b, options).run(oracle);
 }
 
 template <class Part> Toi from_contact(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
@@ -294,8 +312,10 @@ void describe_contact(Toi& toi, const Mover<Core>& a, const Mover<Part>& b, cons
     Advance<Part>(a, b, options).describe(toi);
 }
 
-template Toi certified_advancement(const Mover<Core>&, const Mover<Core>&, const Options&);
-template Toi certified_advancement(const Mover<Core>&, const Mover<Border>&, const Options&);
+template Toi certified_advancement(const Mover<Core>&, const Mover<Core>&, const Options&,
+                                   const StartOracle&);
+template Toi certified_advancement(const Mover<Core>&, const Mover<Border>&, const Options&,
+                                   const StartOracle&);
 template Toi from_contact(const Mover<Core>&, const Mover<Core>&, const Options&);
 template Toi from_contact(const Mover<Core>&, const Mover<Border>&, const Options&);
 template std::optional<Toi> from_proven_contact(const Mover<Core>&, const Mover<Core>&, const Options&);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mover.h"
+#include "toi_query.h"
 
 #include <brink/toi.h>
 
@@ -9,10 +10,17 @@
 
 namespace brink {
 
+/// Who knows, to the last bit, whether a query begins in contact; for where rounding cannot tell.
+struct StartOracle {
+    const Query& query;                         // in the caller's lengths
+    bool (*in_contact)(const Query&) = nullptr; // none: what rounding leaves in doubt counts as contact
+};
+
 /// First contact of two moving shapes by certified advancement: at each pose the distance between them gives
 /// an axis, and the axis a step over which they provably stay apart (B. Mirtich 1996; X. Zhang, M. Lee and Y.
 /// Kim 2006). Inputs are already validated. Part is Core or Border.
-template <class Part> Toi certified_advancement(const Mover<Core>& a, const Mover<Part>& b, const Options&);
+template <class Part>
+Toi certified_advancement(const Mover<Core>& a, const Mover<Part>& b, const Options&, const StartOracle&);
 
 /// The same where contact at the start is already known.
 template <class Part> Toi from_contact(const Mover<Core>& a, const Mover<Part>& b, const Options&);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "depth.h"
 
-#include "hull_data.h"
-
 #include <algorithm>
 
 namespace brink {
@@ -23,13 +21,6 @@ double depth(const Core& c, V3 point)
     case Core::Kind::ellipsoid: { // a part of the way out that is left in every direction
         const V3 q{p.x / h.x, p.y / h.y, p.z / h.z};
         return (1 - norm(q)) * std::min({h.x, h.y, h.z});
-    }
-    case Core::Kind::hull: { // its axes are not of unit length
-        const double square = norm_squared(c.axes.x);
-        double least = c.hull->faces.empty() ? -infinity : infinity;
-        for (const HullFace& f : c.hull->faces)
-            least = std::min(least, f.offset - dot(f.normal, p) / square);
-        return std::sqrt(square) * least;
     }
     default:
         return -infinity;

@@ -207,6 +207,13 @@ void Watch::land(const Facing<Core>& f, Sight& s) const
     s.upper = norm(s.v);
 }
 
+bool Watch::overlap(const Facing<Core>& f, double depth) const
+{
+    const Core &a = f.a.part, &b = f.b.part;
+    const Closest c = gjk(a, b, {}, corners_.known() ? corners_.simplex(a, b) : Simplex{});
+    return c.inside && c.simplex.depth() > depth;
+}
+
 Sight BorderWatch::look(const Facing<Border>& f)
 {
     const Separation n = separation(f.a.part, f.b.part);

@@ -33,6 +33,9 @@ public:
     /// Fills in the nearest points of those features.
     void land(const Facing<Core>&, Sight&) const;
 
+    /// Whether four corners of the difference hold the origin that deep, which proves that the cores overlap.
+    bool overlap(const Facing<Core>&, double depth) const;
+
 private:
     enum class Method : unsigned char { segments, point_box, box_point, boxes, any };
     static Method method(const Core& a, const Core& b);

@@ -73,11 +73,13 @@ template <class A, class B> Toi hit_at(const Query& q, double t, double t_upper)
 
 template <class A, class B> Toi solve_turning(const Query& q);
 
-/// Whether exact numbers can settle what a closed form leaves in doubt.
+template <class T, class... Ts> constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);
+
+/// Whether exact numbers can settle what rounding leaves in doubt (exact_contact.h).
 template <class A, class B>
-constexpr bool in_whole_numbers = std::is_same_v<A, Sphere> || std::is_same_v<B, Plane> ||
-                                  std::is_same_v<B, HalfSpace> ||
-                                  (std::is_same_v<A, Capsule> && std::is_same_v<B, Capsule>);
+constexpr bool in_whole_numbers = (is_one_of<A, Sphere> &&
+                                   is_one_of<B, Sphere, Capsule, Box, Triangle, Plane, HalfSpace>) ||
+                                  (is_one_of<A, Capsule> && is_one_of<B, Capsule, Plane, HalfSpace>);
 
 /// What a closed form left in doubt. Where there are no exact numbers, the advancement. Otherwise a start
 /// that a witness pair proves in contact is left to it; anything else is asked in exact numbers, and what
@@ -123,15 +125,25 @@ template <class A, class B, class Solve>
     return scaled(solve(Query{a, motion_a, b, motion_b, options, &q}), -exponent);
 }
 
+/// Of a pair in whole numbers, however it moves. What even those cannot hold counts as contact.
+bool begins_in_contact(const Query& q)
+{
+    const Motion a = Motion::still(q.motion_a.start), b = Motion::still(q.motion_b.start);
+    Options at_start = q.options;
+    at_start.t_max = 0;
+    return exact_contact({q.a, a, q.b, b, at_start}).status != Status::separated;
+}
+
 template <class A, class B> Toi solve_turning(const Query& q)
 {
     const A& a = as<A>(q.a);
     const B& b = as<B>(q.b);
+    const StartOracle oracle{*q.given, in_whole_numbers<A, B> ? &begins_in_contact : nullptr};
     const int e = exponent_to_usual(a, b, q);
-    if (e == 0) return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options);
+    if (e == 0) return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options, oracle);
     const auto near_1_a = mover(scaled(part(a), e), scaled(q.motion_a, e));
     const auto near_1_b = mover(scaled(part(b), e), scaled(q.motion_b, e));
-    return scaled(certified_advancement(near_1_a, near_1_b, scaled(q.options, e)), -e);
+    return scaled(certified_advancement(near_1_a, near_1_b, scaled(q.options, e), oracle), -e);
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>

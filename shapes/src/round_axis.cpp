@@ -42,7 +42,7 @@ private:
     Corner support(V3 n) const
     {
         const SupportPoint on_a = farthest(a_, n), on_b = farthest(b_, -n);
-        return {on_b.point - on_a.point, on_a.point, on_a.corner, on_b.corner, 1};
+        return {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
     }
     Way along(V3 direction, double bend);
 
@@ -83,7 +83,10 @@ Chart::Way Chart::along(V3 direction, double bend)
         if (!(across < 0)) return way;
         way.step = -dot(line, axis_) / across;
         way.gain = way.step * across;
-        nearest_ = Simplex{2, {behind, ahead}}.reduced();
+        nearest_ = {};
+        nearest_.add(behind);
+        nearest_.add(ahead);
+        nearest_.reduce();
         return way;
     }
     const double slope = dot(here_.w, direction), curvature = bend - gap; // of the unit sphere, too

@@ -3,6 +3,10 @@
 
 #include "nearest.h"
 
+#include <brink/shape.h>
+
+#include <algorithm>
+
 namespace brink {
 
 namespace {
@@ -137,6 +141,19 @@ V3 Simplex::nearest_point() const
     const V3 n = face_normal(a, corners[1].w, corners[2].w);
     const double square = norm_squared(n);
     return square > 0 ? (dot(n, a) / square) * n : point();
+}
+
+double Simplex::depth() const
+{
+    double least = infinity;
+    for (int k = 0; k < 4; ++k) {
+        const V3 a = corners[(k + 1) % 4].w, d = corners[k].w - a;
+        const V3 n = face_normal(a, corners[(k + 2) % 4].w, corners[(k + 3) % 4].w);
+        const double length = norm(n), height = dot(n, d);
+        if (!(length > 0)) return -infinity;
+        least = std::min(least, (height < 0 ? dot(n, a) : -dot(n, a)) / length);
+    }
+    return least;
 }
 
 V3 Simplex::on_a() const

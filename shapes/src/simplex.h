@@ -35,6 +35,9 @@ struct Simplex {
     /// The same where the origin is known to be outside, whatever rounding makes of a flat simplex.
     void reduce_outside();
 
+    /// How far inside the origin lies, at least, of four corners; negative outside. Rounding not taken off.
+    [[nodiscard]] double depth() const;
+
 private:
     enum class Origin : unsigned char { anywhere, outside };
     void reduce(Origin);
