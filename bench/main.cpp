@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "accuracy.h"
 #include "pair_bench.h"
 #include "pair_sample.h"
 #include "pairs.h"
@@ -23,6 +24,8 @@ struct Arguments {
     TunnellingOptions tunnelling;
     CLI::App* tunnelling_part = nullptr;
     CLI::App* pairs_part = nullptr;
+    AccuracyOptions accuracy;
+    CLI::App* accuracy_part = nullptr;
     StabilityOptions stability;
     CLI::App* stability_part = nullptr;
     std::vector<std::string> pairs{"all"};
@@ -56,18 +59,34 @@ void describe_stability(CLI::App& part, StabilityOptions& options)
         ->capture_default_str();
 }
 
+void describe_accuracy(CLI::App& part, AccuracyOptions& options)
+{
+    part.add_option("--queries", options.queries, "of each pair, half of them hits")
+        ->check(CLI::Range(100, 100'000))
+        ->capture_default_str();
+    part.add_option("--pairs", options.pairs, "which, separated by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(or_all(accuracy_pairs())))
+        ->capture_default_str();
+}
+
 void describe(CLI::App& app, Arguments& arguments)
 {
     app.require_subcommand(0, 1); // none is told in our own words
     arguments.tunnelling_part = app.add_subcommand(
         "tunnelling", "bodies through thin walls: discrete checks, FCL and brink; which are lost");
-    arguments.pairs_part =
-        app.add_subcommand("pairs", "ns per query of every closed-form pair, FCL beside it");
+    arguments.pairs_part = app.add_subcommand(
+        "pairs", "ns per query of pairs that move straight and pairs that turn, FCL beside it");
+    arguments.accuracy_part = app.add_subcommand(
+        "accuracy", "run time against error of t where both bodies turn, at tolerances 1e-3 to 1e-12; FCL "
+                    "beside it");
+    describe_accuracy(*arguments.accuracy_part, arguments.accuracy);
     arguments.stability_part = app.add_subcommand(
         "stability", "accuracy of t and wrong decisions where it is hard, against 200 digits; "
                      "textbook formulas and FCL beside it");
     describe_stability(*arguments.stability_part, arguments.stability);
-    for (CLI::App* part : {arguments.tunnelling_part, arguments.pairs_part, arguments.stability_part})
+    for (CLI::App* part :
+         {arguments.tunnelling_part, arguments.pairs_part, arguments.accuracy_part, arguments.stability_part})
         part->add_option("--out", arguments.out, "folder for CSVs and pictures")->capture_default_str();
     arguments.tunnelling_part
         ->add_option("--crossings", arguments.tunnelling.crossings,
@@ -103,6 +122,7 @@ int run(const Arguments& arguments, const std::filesystem::path& program)
     }
     const Output output(arguments.out);
     if (arguments.tunnelling_part->parsed()) return run_tunnelling(output, arguments.tunnelling) == 0 ? 0 : 1;
+    if (arguments.accuracy_part->parsed()) return run_accuracy(output, arguments.accuracy) == 0 ? 0 : 1;
     if (arguments.stability_part->parsed()) return run_stability(output, arguments.stability) == 0 ? 0 : 1;
     run_pairs(output, names, program.parent_path() / "brink-bench-v3");
     return 0;
@@ -117,7 +137,8 @@ int main(int argc, char** argv)
     describe(app, arguments);
     try {
         app.parse(argc, argv);
-        if (app.get_subcommands().empty()) return explain(app, "which part? tunnelling, pairs or stability");
+        if (app.get_subcommands().empty())
+            return explain(app, "which part? tunnelling, pairs, accuracy or stability");
         return run(arguments, std::filesystem::canonical("/proc/self/exe"));
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);

@@ -4,6 +4,7 @@
 #include "machine.h"
 #include "output.h"
 #include "pair_sample.h"
+#include "single_query.h"
 
 #include <algorithm>
 #include <array>
@@ -11,56 +12,60 @@
 #include <fcl.h>
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <map>
 #include <memory>
-#include <sstream>
 
 namespace brink::bench {
 namespace {
 
-constexpr int repetitions = 15;
-constexpr std::size_t closed_queries = 262'144;
-constexpr std::size_t rotating_queries = 4'096; // advancement is slow, and no branch repeats itself in it
+constexpr int still_repetitions = 15;
+constexpr int turning_repetitions = 7;
+constexpr std::size_t still_queries = 262'144;
+constexpr std::size_t turning_queries = 131'072; // half of them hit
 constexpr std::size_t fcl_queries = 4'096;
 
 /// What one benchmark asks, over and over: a list of pairs, as many as a repetition has iterations.
 struct Job {
-    std::string pair, who, what;
+    Timing timing; // what is to be measured; the figures are filled in
+    Turning turning;
     const Sample* sample;
     const std::vector<Pair>* pairs;
-    std::size_t queries;
+    bool fcl() const { return timing.who == "FCL"; }
+    std::size_t queries() const { return static_cast<std::size_t>(timing.queries); }
 };
 
-void ask_brink(benchmark::State& state, const Job& job, Options options)
+Toi ask_brink(const Job& job, const Pair& pair, const Options& options)
 {
-    const std::vector<Body>& bodies = job.sample->bodies;
-    const Pair* next = job.pairs->data();
-    for (auto _ : state) {
-        const Body& a = bodies[next->a];
-        const Body& b = bodies[next->b];
-        ++next;
-        const Toi toi = time_of_impact(a.shape, a.motion, b.shape, b.motion, options);
-        benchmark::DoNotOptimize(toi);
-    }
+    const Body& a = job.sample->bodies[pair.a];
+    const Body& b = job.sample->bodies[pair.b];
+    return time_of_impact(a.shape, a.motion, b.shape, b.motion, options);
 }
 
-void ask_fcl(benchmark::State& state, const Job& job, const std::vector<support::FclBody>& fcl)
+std::optional<double> ask_fcl(const Job& job, const Pair& pair, const std::vector<support::FclBody>& fcl)
 {
     const std::vector<Body>& bodies = job.sample->bodies;
-    const Pair* next = job.pairs->data();
-    for (auto _ : state) {
-        const auto t = fcl_continuous(support::FclQuestion::conservative_advancement, fcl[next->a],
-                                      bodies[next->a].motion, fcl[next->b], bodies[next->b].motion);
-        ++next;
-        benchmark::DoNotOptimize(t);
+    return fcl_continuous(support::FclQuestion::conservative_advancement, fcl[pair.a], bodies[pair.a].motion,
+                          fcl[pair.b], bodies[pair.b].motion);
+}
+
+/// Distance evaluations of brink, and the queries it left undecided.
+void count_calls(Job& job)
+{
+    Timing& timing = job.timing;
+    std::int64_t calls = 0;
+    for (const Pair& pair : *job.pairs) {
+        const Toi toi = ask_brink(job, pair, {});
+        calls += toi.iterations;
+        timing.most_calls = std::max(timing.most_calls, toi.iterations);
+        if (toi.status == Status::undecided) ++timing.undecided;
     }
+    timing.calls = static_cast<double>(calls) / static_cast<double>(job.pairs->size());
 }
 
 /// Collects the means and deviations that Google Benchmark makes of the repetitions.
 class Collector : public benchmark::BenchmarkReporter {
 public:
-    explicit Collector(const std::vector<Job>& jobs) : jobs_(jobs) {}
+    explicit Collector(std::vector<Job>& jobs) : jobs_(jobs) {}
 
     bool ReportContext(const Context&) override { return true; }
 
@@ -68,29 +73,14 @@ public:
     {
         for (const Run& run : runs) {
             if (run.run_type != Run::RT_Aggregate) continue;
-            const Job& job = jobs_[std::stoul(run.run_name.function_name)];
-            Timing& timing = by_job_[&job];
-            timing.pair = job.pair;
-            timing.who = job.who;
-            timing.what = job.what;
-            timing.queries = static_cast<int>(job.queries);
-            timing.repetitions = repetitions;
+            Timing& timing = jobs_[std::stoul(run.run_name.function_name)].timing;
             if (run.aggregate_name == "mean") timing.ns = run.GetAdjustedCPUTime();
             if (run.aggregate_name == "stddev") timing.deviation = run.GetAdjustedCPUTime();
         }
     }
 
-    std::vector<Timing> timings() const
-    {
-        std::vector<Timing> all;
-        for (const auto& [job, timing] : by_job_)
-            all.push_back(timing);
-        return all;
-    }
-
 private:
-    const std::vector<Job>& jobs_;
-    std::map<const Job*, Timing> by_job_; // in the order of the jobs
+    std::vector<Job>& jobs_;
 };
 
 /// Everything to be measured, and what it is measured on.
@@ -101,24 +91,71 @@ public:
         const auto named = [&](const PairKind& kind) {
             return std::find(names.begin(), names.end(), kind.name) != names.end();
         };
-        for (const PairKind& kind : closed_pairs())
-            if (named(kind)) add_closed(kind);
-        for (const PairKind& kind : rotating_pairs())
-            if (named(kind)) add_rotating(kind);
+        for (const Turning turning : every_turning)
+            for (const PairKind& kind : pairs_turning(turning))
+                if (named(kind)) add(kind, turning);
     }
 
     std::vector<Timing> run()
     {
-        Progress progress(fmt::format("pairs, {}", build_name()),
-                          static_cast<int>(jobs_.size()) * repetitions);
+        int steps = 0;
+        for (const Job& job : jobs_)
+            steps += job.timing.repetitions + 1;
+        Progress progress(fmt::format("pairs, {}", build_name()), steps);
+        measure_repetitions(progress);
+        std::vector<Timing> timings;
+        for (Job& job : jobs_) {
+            if (job.turning != Turning::none) measure_singly(job);
+            timings.push_back(job.timing);
+            progress.step();
+        }
+        return timings;
+    }
+
+private:
+    void add(const PairKind& kind, Turning turning)
+    {
+        const std::size_t queries = turning == Turning::none ? still_queries : turning_queries;
+        const Sample& sample = keep(draw_sample(kind, turning, queries));
+        const auto add_job = [&](std::string_view who, std::string_view what, const std::vector<Pair>& pairs,
+                                 std::size_t count) {
+            Timing timing;
+            timing.pair = kind.name;
+            timing.turning = name_of(turning);
+            timing.who = who;
+            timing.what = what;
+            timing.queries = static_cast<int>(count);
+            timing.repetitions = turning == Turning::none ? still_repetitions : turning_repetitions;
+            jobs_.push_back({timing, turning, &sample, &pairs});
+        };
+        add_job(build_name(), "mixed", sample.mixed, queries);
+        if (turning == Turning::none) add_job(build_name(), "mixed time_only", sample.mixed, queries);
+        add_job(build_name(), "hits", sample.hits, queries);
+        add_job(build_name(), "misses", sample.misses, queries);
+        if (!fcl_answers(sample, turning)) return;
+        add_job("FCL", "mixed", sample.mixed, fcl_queries);
+        for (const Body& body : sample.bodies)
+            fcl_[&sample].emplace_back(body.shape);
+    }
+
+    /// FCL's motions cannot turn by more than a half turn.
+    bool fcl_answers(const Sample& sample, Turning turning) const
+    {
+        return rivals_ == Rivals::fcl && turning != Turning::to_300_degrees &&
+               fcl_trusts(support::FclQuestion::conservative_advancement, sample.bodies.front().shape,
+                          sample.bodies.back().shape);
+    }
+
+    void measure_repetitions(Progress& progress)
+    {
         for (std::size_t i = 0; i < jobs_.size(); ++i) {
             benchmark::RegisterBenchmark(std::to_string(i).c_str(),
                                          [this, i, &progress](benchmark::State& state) {
                                              ask(state, jobs_[i]);
                                              progress.step();
                                          })
-                ->Iterations(static_cast<benchmark::IterationCount>(jobs_[i].queries))
-                ->Repetitions(repetitions)
+                ->Iterations(static_cast<benchmark::IterationCount>(jobs_[i].queries()))
+                ->Repetitions(jobs_[i].timing.repetitions)
                 ->ReportAggregatesOnly();
         }
         std::string name = "brink-bench";
@@ -129,50 +166,37 @@ public:
         Collector collector(jobs_);
         benchmark::RunSpecifiedBenchmarks(&collector);
         benchmark::ClearRegisteredBenchmarks();
-        return collector.timings();
-    }
-
-private:
-    void add_closed(const PairKind& kind)
-    {
-        const Sample& sample = keep(draw_sample(kind, Turning::none, closed_queries));
-        const std::string pair(kind.name);
-        jobs_.push_back({pair, build_name(), "mixed", &sample, &sample.mixed, closed_queries});
-        jobs_.push_back({pair, build_name(), "mixed time_only", &sample, &sample.mixed, closed_queries});
-        jobs_.push_back({pair, build_name(), "hits", &sample, &sample.hits, closed_queries});
-        jobs_.push_back({pair, build_name(), "misses", &sample, &sample.misses, closed_queries});
-        add_rival({pair, "FCL", "mixed", &sample, &sample.mixed, fcl_queries});
-    }
-
-    void add_rotating(const PairKind& kind)
-    {
-        const Sample& sample = keep(draw_sample(kind, Turning::to_60_degrees, rotating_queries));
-        const std::string pair(kind.name);
-        jobs_.push_back({pair, build_name(), "rotating", &sample, &sample.mixed, rotating_queries});
-        add_rival({pair, "FCL", "rotating", &sample, &sample.mixed, fcl_queries});
-    }
-
-    void add_rival(const Job& job)
-    {
-        const std::vector<Body>& bodies = job.sample->bodies;
-        const auto advancement = support::FclQuestion::conservative_advancement;
-        if (rivals_ == Rivals::none || !fcl_trusts(advancement, bodies.front().shape, bodies.back().shape))
-            return;
-        auto& prepared = fcl_[job.sample];
-        if (prepared.empty())
-            for (const Body& body : bodies)
-                prepared.emplace_back(body.shape);
-        jobs_.push_back(job);
     }
 
     void ask(benchmark::State& state, const Job& job) const
     {
+        const Pair* next = job.pairs->data();
+        if (job.fcl()) {
+            const std::vector<support::FclBody>& fcl = fcl_.at(job.sample);
+            for (auto _ : state)
+                benchmark::DoNotOptimize(ask_fcl(job, *next++, fcl));
+            return;
+        }
         Options options;
-        if (job.what == "mixed time_only") options.detail = Detail::time_only;
-        if (job.who == "FCL")
-            ask_fcl(state, job, fcl_.at(job.sample));
-        else
-            ask_brink(state, job, options);
+        if (job.timing.what == "mixed time_only") options.detail = Detail::time_only;
+        for (auto _ : state)
+            benchmark::DoNotOptimize(ask_brink(job, *next++, options));
+    }
+
+    /// What the mean does not tell: single queries, and distance evaluations.
+    void measure_singly(Job& job) const
+    {
+        const std::vector<Pair>& pairs = *job.pairs;
+        const auto one = [&](std::size_t i) {
+            if (job.fcl())
+                benchmark::DoNotOptimize(ask_fcl(job, pairs[i], fcl_.at(job.sample)));
+            else
+                benchmark::DoNotOptimize(ask_brink(job, pairs[i], {}));
+        };
+        const Spread spread = single_queries(job.queries(), one);
+        job.timing.p50 = spread.p50;
+        job.timing.p99 = spread.p99;
+        if (!job.fcl()) count_calls(job);
     }
 
     const Sample& keep(Sample sample)
@@ -192,32 +216,6 @@ private:
 std::vector<Timing> measure_pairs(Rivals rivals, const std::vector<std::string>& names)
 {
     return Bench(rivals, names).run();
-}
-
-std::string timings_csv(const std::vector<Timing>& timings)
-{
-    std::string text = "pair,who,what,ns_per_query,standard_deviation_ns,queries,repetitions\n";
-    for (const Timing& t : timings)
-        text += fmt::format("{},{},{},{:.2f},{:.2f},{},{}\n", t.pair, t.who, t.what, t.ns, t.deviation,
-                            t.queries, t.repetitions);
-    return text;
-}
-
-std::vector<Timing> parse_timings(std::string_view csv)
-{
-    std::vector<Timing> timings;
-    std::istringstream lines{std::string(csv)};
-    for (std::string line; std::getline(lines, line);) {
-        Timing t;
-        std::istringstream cells(line);
-        std::getline(cells, t.pair, ',');
-        std::getline(cells, t.who, ',');
-        std::getline(cells, t.what, ',');
-        char comma = 0;
-        if (cells >> t.ns >> comma >> t.deviation >> comma >> t.queries >> comma >> t.repetitions)
-            timings.push_back(t);
-    }
-    return timings;
 }
 
 } // namespace brink::bench

@@ -43,26 +43,45 @@ Shape draw_triangle(Random& random)
     return Triangle{size * a, size * b, size * c};
 }
 
-/// Its corners on an ellipsoid, so that none is lost.
-Shape draw_hull(Random& random)
-{
-    constexpr int corners = 24;
-    const double x = random.between(0.1, 1);
-    const double y = random.between(0.1, 1);
-    const double z = random.between(0.1, 1);
-    std::array<Vec3, corners> points;
-    for (Vec3& point : points) {
-        const Vec3 on_sphere = random.unit();
-        point = {x * on_sphere.x(), y * on_sphere.y(), z * on_sphere.z()};
-    }
-    return Hull::from_points(points);
-}
-
 Shape draw_plane(Random& random) { return Plane{random.unit(), 0}; }
 
 Shape draw_half_space(Random& random) { return HalfSpace{random.unit(), 0}; }
 
-constexpr std::array closed{
+Shape draw_cylinder(Random& random)
+{
+    const double half_length = random.between(0.1, 1);
+    const double radius = random.between(0.1, 0.8);
+    return Cylinder{half_length, radius};
+}
+
+Shape draw_cone(Random& random)
+{
+    const double half_length = random.between(0.1, 1);
+    const double radius = random.between(0.1, 0.8);
+    return Cone{half_length, radius};
+}
+
+Vec3 draw_radii(Random& random)
+{
+    const double x = random.between(0.1, 1);
+    const double y = random.between(0.1, 1);
+    const double z = random.between(0.1, 1);
+    return {x, y, z};
+}
+
+Shape draw_ellipsoid(Random& random) { return Ellipsoid{draw_radii(random)}; }
+
+/// 24 points on an ellipsoid.
+Shape draw_hull(Random& random)
+{
+    const Vec3 radii = draw_radii(random);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 24; ++i)
+        points.emplace_back(radii.cwiseProduct(random.unit()));
+    return Hull::from_points(points);
+}
+
+constexpr std::array not_turning{
     PairKind{"sphere-sphere", draw_sphere, draw_sphere},
     PairKind{"sphere-capsule", draw_sphere, draw_capsule},
     PairKind{"sphere-box", draw_sphere, draw_box},
@@ -80,11 +99,30 @@ constexpr std::array closed{
     PairKind{"hull-hull", draw_hull, draw_hull},
 };
 
-constexpr std::array rotating{
+constexpr std::array turning_to_60_degrees{
+    PairKind{"sphere-box", draw_sphere, draw_box},
     PairKind{"capsule-capsule", draw_capsule, draw_capsule},
     PairKind{"capsule-box", draw_capsule, draw_box},
     PairKind{"box-box", draw_box, draw_box},
+    PairKind{"hull-hull", draw_hull, draw_hull},
+    PairKind{"box-plane", draw_box, draw_plane},
+    PairKind{"sphere-hull", draw_sphere, draw_hull},
+    PairKind{"cylinder-box", draw_cylinder, draw_box},
+    PairKind{"cone-capsule", draw_cone, draw_capsule},
+    PairKind{"ellipsoid-ellipsoid", draw_ellipsoid, draw_ellipsoid},
 };
+
+constexpr std::array turning_to_300_degrees{
+    PairKind{"capsule-box", draw_capsule, draw_box},
+    PairKind{"box-box", draw_box, draw_box},
+    PairKind{"hull-hull", draw_hull, draw_hull},
+};
+
+double widest_turn(Turning turning)
+{
+    constexpr double half_turn = 3.14159265358979324;
+    return (turning == Turning::to_60_degrees ? 60.0 : 300.0) / 180 * half_turn;
+}
 
 /// Starts some 1.7 m behind the middle and for the most part moves ahead across it: one in five goes
 /// anywhere.
@@ -98,7 +136,7 @@ Motion draw_motion(Random& random, const Vec3& ahead, Turning turning)
     motion.start.orientation = random.rotation();
     motion.translation = random.chance(0.2) ? Vec3(reach * random.unit()) : Vec3(reach * ahead + drift);
     if (turning == Turning::none) return motion;
-    const double angle = random.between(0, 3.14159265358979324 / 3);
+    const double angle = random.between(0, widest_turn(turning));
     motion.rotation = angle * random.unit();
     return motion;
 }
@@ -146,15 +184,24 @@ std::vector<Pair> all_pairs(Random& random)
 
 } // namespace
 
-std::span<const PairKind> closed_pairs() { return closed; }
+std::span<const PairKind> pairs_turning(Turning turning)
+{
+    if (turning == Turning::none) return not_turning;
+    if (turning == Turning::to_60_degrees) return turning_to_60_degrees;
+    return turning_to_300_degrees;
+}
 
-std::span<const PairKind> rotating_pairs() { return rotating; }
+std::string_view name_of(Turning turning)
+{
+    if (turning == Turning::none) return "none";
+    return turning == Turning::to_60_degrees ? "60" : "300";
+}
 
 std::vector<std::string> pair_names()
 {
     std::vector<std::string> names;
-    for (const auto kinds : {closed_pairs(), rotating_pairs()}) {
-        for (const PairKind& kind : kinds)
+    for (const Turning turning : every_turning) {
+        for (const PairKind& kind : pairs_turning(turning))
             if (std::find(names.begin(), names.end(), kind.name) == names.end())
                 names.emplace_back(kind.name);
     }

@@ -3,6 +3,7 @@
 
 #include "machine.h"
 #include "pair_bench.h"
+#include "pairs_picture.h"
 #include "pairs_report.h"
 
 #include <array>
@@ -38,6 +39,12 @@ std::string add_wider_build(std::vector<Timing>& timings, const std::vector<std:
     return wider.empty() ? fmt::format("{} failed", sibling.filename().string()) : "";
 }
 
+void draw(const Output& output, const std::vector<Timing>& timings, Turning turning, std::string_view stem)
+{
+    const std::string plot = pairs_plot(timings, turning, stem);
+    if (!plot.empty()) fmt::print("{}\n", output.draw(stem, plot));
+}
+
 } // namespace
 
 void run_pairs(const Output& output, const std::vector<std::string>& names,
@@ -47,11 +54,14 @@ void run_pairs(const Output& output, const std::vector<std::string>& names,
     const std::string missing = add_wider_build(timings, names, sibling);
     output.write("pairs.csv", timings_csv(timings));
     fmt::print("{}\n", machine());
-    for (const std::string& table : {pairs_table(timings), rotating_table(timings)})
+    for (const std::string& table :
+         {translation_table(timings), turning_table(timings, Turning::to_60_degrees),
+          turning_table(timings, Turning::to_300_degrees)})
         if (!table.empty()) fmt::print("\n{}", table);
     if (!missing.empty()) fmt::print("\nNo figures of the x86-64-v3 build: {}.\n", missing);
-    const std::string plot = pairs_plot(timings);
-    fmt::print("\n{}", plot.empty() ? "" : output.draw("pairs", plot) + "\n");
+    fmt::print("\n");
+    draw(output, timings, Turning::none, "pairs");
+    draw(output, timings, Turning::to_60_degrees, "pairs_turning");
     fmt::print("Figures: {}\n", output.path_of("pairs.csv"));
 }
 

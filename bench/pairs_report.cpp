@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pairs_report.h"
 
-#include "pair_sample.h"
+#include "output.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,19 +10,16 @@
 namespace brink::bench {
 namespace {
 
-std::optional<double> find(const std::vector<Timing>& timings, std::string_view pair, std::string_view who,
-                           std::string_view what)
+std::optional<double> mean(const Timing* timing)
 {
-    const auto found = std::find_if(timings.begin(), timings.end(), [&](const Timing& t) {
-        return t.pair == pair && t.who == who && t.what == what;
-    });
-    if (found == timings.end()) return std::nullopt;
-    return found->ns;
+    return timing != nullptr ? std::optional(timing->ns) : std::nullopt;
 }
 
-auto first_of(const std::vector<Timing>& timings, std::string_view what)
+const Timing* first_of(const std::vector<Timing>& timings, Turning turning)
 {
-    return std::find_if(timings.begin(), timings.end(), [&](const Timing& t) { return t.what == what; });
+    const auto found = std::find_if(timings.begin(), timings.end(),
+                                    [&](const Timing& t) { return t.turning == name_of(turning); });
+    return found == timings.end() ? nullptr : &*found;
 }
 
 std::string cell(std::optional<double> ns)
@@ -32,76 +29,68 @@ std::string cell(std::optional<double> ns)
 
 std::string ratio(std::optional<double> theirs, std::optional<double> ours)
 {
-    return theirs && ours ? fmt::format("{:.0f} x", *theirs / *ours) : "-";
+    if (!theirs || !ours) return "-";
+    const double times = *theirs / *ours;
+    return fmt::format("{:.{}f} x", times, times < 9.95 ? 1 : 0);
 }
 
-double worst_deviation(const std::vector<Timing>& timings)
+double worst_deviation(const std::vector<Timing>& timings, Turning turning)
 {
     double worst = 0;
     for (const Timing& t : timings)
-        worst = std::max(worst, 100 * t.deviation / t.ns);
+        if (t.turning == name_of(turning)) worst = std::max(worst, 100 * t.deviation / t.ns);
     return worst;
 }
 
-/// The bars and everything else but the figures. Wants $times: pair, baseline, x86-64-v3, FCL, with -1 for
-/// none.
-constexpr std::string_view script = R"GP(
-array colour[3] = ['#56B4E9', '#0072B2', '#D55E00']
-array who[3] = ['brink, baseline x86-64', 'brink, x86-64-v3', 'FCL conservative advancement']
-bottom = 10
-tag(ns) = ns < 0 ? '–' : ns < 1000 ? sprintf('%.0f', ns) : sprintf('%.1f µs', ns / 1000)
-height(ns) = ns < 0 ? 1.01 * bottom : ns
-place(i) = column(0) + 0.28 * (i - 2)
-
-do for [format in 'svg png'] {
-    if (format eq 'svg') {
-        set terminal svg size 1500,760 dynamic enhanced font 'DejaVu Sans,18' background '#ffffff'
-        large = ',25'; small = ',15'
-    } else {
-        set terminal pngcairo size 1500,760 enhanced font 'DejaVu Sans,14' background '#ffffff'
-        large = ',19'; small = ',12'
-    }
-    set output 'pairs.' . format
-    set title "Time to find when two moving shapes first touch (ns per query, half of them hits; lower is better)" font large
-    set logscale y
-    set yrange [bottom:10000]
-    set ytics ('10 ns' 10, '100 ns' 100, '1 µs' 1000, '10 µs' 10000) nomirror
-    set ylabel 'time per query (logarithmic)'
-    set grid ytics linecolor '#dddddd' linewidth 1 linetype 1
-    set border 3 linecolor '#555555'
-    set xtics nomirror scale 0
-    set bmargin 5
-    set xrange [-0.6:|$times| - 0.4]
-    set style fill solid 1 noborder
-    set boxwidth 0.26
-    set key top right horizontal Left reverse samplen 2 maxrows 1
-    set label 1 '–  FCL has none for this pair' at graph 0.985, 0.90 right font small textcolor rgb '#444444'
-    plot for [i = 1:3] $times using (place(i)):(height(column(i + 1))) with boxes \
-             linecolor rgb colour[i] title who[i], \
-         for [i = 1:3] $times using (place(i)):(height(column(i + 1))):(tag(column(i + 1))) with labels \
-             offset 0, 0.6 font small textcolor rgb '#333333' notitle, \
-         $times using 0:(bottom / 10):xticlabels(1) with points notitle
-    unset output
+int undecided(const std::vector<Timing>& timings, Turning turning)
+{
+    int count = 0;
+    for (const Timing& t : timings)
+        if (t.turning == name_of(turning) && t.who == "baseline" && t.what != "mixed") count += t.undecided;
+    return count;
 }
-)GP";
+
+constexpr std::string_view spread_heading = " mixed    +-    p50    p99   hits misses";
+
+std::string spread_cells(const Timing* mixed, const Timing* hits, const Timing* misses)
+{
+    if (mixed == nullptr || hits == nullptr || misses == nullptr)
+        return fmt::format("{:>6} {:>5} {:>6} {:>6} {:>6} {:>6}", "-", "-", "-", "-", "-", "-");
+    return fmt::format("{:>6.0f} {:>5.0f} {:>6.0f} {:>6.0f} {:>6.0f} {:>6.0f}", mixed->ns, mixed->deviation,
+                       mixed->p50, mixed->p99, hits->ns, misses->ns);
+}
+
+std::string turning_legend(const std::vector<Timing>& timings, Turning turning, const Timing& first)
+{
+    std::string text = fmt::format(
+        "{} distinct pairs of 2,048 bodies, half of them hits (mixed), axes and angles at random. mixed, "
+        "hits, "
+        "misses: mean\nprocessor time over {} repetitions, +- its standard deviation between them. p50, p99: "
+        "mixed queries one by one between\ntwo readings of the steady clock, the middle of three, less the "
+        "clock's own time in the same run. calls, most: distance\nevaluations per hit, mean and maximum. "
+        "Undecided: {} of all queries.\n",
+        thousands(first.queries), first.repetitions, undecided(timings, turning));
+    if (turning == Turning::to_300_degrees) return text + "FCL's motions cannot turn beyond 180 degrees.\n";
+    return text + "FCL: 4,096 of the pairs; -: its conservative advancement does not answer the pair.\n";
+}
 
 } // namespace
 
-std::string pairs_table(const std::vector<Timing>& timings)
+std::string translation_table(const std::vector<Timing>& timings)
 {
-    const auto first = first_of(timings, "mixed");
-    if (first == timings.end()) return "";
+    const Timing* first = first_of(timings, Turning::none);
+    if (first == nullptr) return "";
     std::string text =
         "One query through time_of_impact, ns: mean processor time, contact detail unless time_only.\n";
-    text += fmt::format("{:<19} | {:^31} | {:^31} | {:^25}\n", "closed forms,", "brink, baseline x86-64",
+    text += fmt::format("{:<19} | {:^31} | {:^31} | {:^25}\n", "nothing rotates", "brink, baseline x86-64",
                         "brink, x86-64-v3", "FCL advancement");
-    text += fmt::format("{:<19} |", "nothing rotates");
+    text += fmt::format("{:<19} |", "");
     for (int build = 0; build < 2; ++build)
         text += fmt::format(" {:>6} {:>6} {:>6} {:>10} |", "mixed", "hits", "misses", "time_only");
     text += fmt::format(" {:>6} {:>9} {:>8}\n", "mixed", "/baseline", "/v3");
-    for (const PairKind& kind : closed_pairs()) {
+    for (const PairKind& kind : pairs_turning(Turning::none)) {
         const auto get = [&](std::string_view who, std::string_view what) {
-            return find(timings, kind.name, who, what);
+            return mean(find(timings, kind.name, name_of(Turning::none), who, what));
         };
         if (!get("baseline", "mixed")) continue;
         text += fmt::format("{:<19} |", kind.name);
@@ -113,46 +102,40 @@ std::string pairs_table(const std::vector<Timing>& timings)
         text += fmt::format(" {:>6} {:>9} {:>8}\n", cell(fcl), ratio(fcl, get("baseline", "mixed")),
                             ratio(fcl, get("x86-64-v3", "mixed")));
     }
-    return text +
-           fmt::format(
-               "{} distinct pairs of 2,048 bodies, {} repetitions (FCL: 4,096 pairs); mixed: half hit. "
-               "Largest deviation between repetitions {:.0f} %.\n"
-               "-: FCL has no conservative advancement for this pair.\n",
-               first->queries, first->repetitions, worst_deviation(timings));
+    return text + fmt::format("{} distinct pairs of 2,048 bodies, {} repetitions (FCL: 4,096 pairs); mixed: "
+                              "half hit. Largest deviation between repetitions {:.0f} %.\n"
+                              "-: FCL's conservative advancement does not answer this pair.\n",
+                              thousands(first->queries), first->repetitions,
+                              worst_deviation(timings, Turning::none));
 }
 
-std::string rotating_table(const std::vector<Timing>& timings)
+std::string turning_table(const std::vector<Timing>& timings, Turning turning)
 {
-    if (first_of(timings, "rotating") == timings.end()) return "";
-    std::string text = "Certified advancement, rotation up to 60 degrees, ns, half hit\n";
-    text += fmt::format("{:<19} | {:>9} | {:>9} | {:>9}\n", "", "baseline", "v3", "FCL");
-    for (const PairKind& kind : rotating_pairs()) {
-        if (!find(timings, kind.name, "baseline", "rotating")) continue;
-        text += fmt::format("{:<19} | {:>9} | {:>9} | {:>9}\n", kind.name,
-                            cell(find(timings, kind.name, "baseline", "rotating")),
-                            cell(find(timings, kind.name, "x86-64-v3", "rotating")),
-                            cell(find(timings, kind.name, "FCL", "rotating")));
+    const Timing* first = first_of(timings, turning);
+    if (first == nullptr) return "";
+    std::string text =
+        fmt::format("Both bodies turn by up to {} degrees, ns per query, tolerance 1e-9\n", name_of(turning));
+    text += fmt::format("{:<19} | {:^58} | {:^45} | {:^32}\n", "", "brink, baseline x86-64",
+                        "brink, x86-64-v3", "FCL advancement");
+    text += fmt::format("{:<19} | {} {:>5} {:>6} | {} | {:>6} {:>6} {:>6} {:>9}\n", "", spread_heading,
+                        "calls", "most", spread_heading, "mixed", "p50", "p99", "/baseline");
+    for (const PairKind& kind : pairs_turning(turning)) {
+        const auto get = [&](std::string_view who, std::string_view what) {
+            return find(timings, kind.name, name_of(turning), who, what);
+        };
+        const Timing* mixed = get("baseline", "mixed");
+        const Timing* hits = get("baseline", "hits");
+        const Timing* fcl = get("FCL", "mixed");
+        if (mixed == nullptr || hits == nullptr) continue;
+        text += fmt::format(
+            "{:<19} | {} {:>5.2f} {:>6} | {} |", kind.name,
+            spread_cells(mixed, hits, get("baseline", "misses")), hits->calls, hits->most_calls,
+            spread_cells(get("x86-64-v3", "mixed"), get("x86-64-v3", "hits"), get("x86-64-v3", "misses")));
+        text += fcl == nullptr ? fmt::format(" {:>6} {:>6} {:>6} {:>9}\n", "-", "-", "-", "-")
+                               : fmt::format(" {:>6.0f} {:>6.0f} {:>6.0f} {:>9}\n", fcl->ns, fcl->p50,
+                                             fcl->p99, ratio(fcl->ns, mixed->ns));
     }
-    return text;
-}
-
-std::string pairs_plot(const std::vector<Timing>& timings)
-{
-    if (first_of(timings, "mixed") == timings.end()) return "";
-    std::string text = "# Draws ns per query: gnuplot pairs.gp\n$times << END\n";
-    for (const PairKind& kind : closed_pairs()) {
-        if (!find(timings, kind.name, "baseline", "mixed")) continue;
-        std::string label(kind.name);
-        label.replace(label.find('-'), 1, "\\n");
-        std::replace(label.begin(), label.end(), '_', '-');
-        text += fmt::format("\"{}\"", label);
-        for (const char* who : {"baseline", "x86-64-v3", "FCL"}) {
-            const auto ns = find(timings, kind.name, who, "mixed");
-            text += ns ? fmt::format(" {:.2f}", *ns) : " -1";
-        }
-        text += "\n";
-    }
-    return text + "END\n" + std::string(script);
+    return text + turning_legend(timings, turning, *first);
 }
 
 } // namespace brink::bench

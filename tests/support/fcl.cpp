@@ -60,8 +60,12 @@ Geometry make(const Cone& s) { return {std::make_shared<fcl::Coned>(s.radius, 2 
 
 Geometry make(const Ellipsoid& s) { return {std::make_shared<fcl::Ellipsoidd>(s.radii)}; }
 
-/// Not asked: a Convex needs faces, which a Hull does not tell.
-Geometry make(const Hull&) { return {std::make_shared<fcl::Sphered>(0)}; }
+/// A Convex without faces looks for its farthest vertex among all of them, as FCL's own choice is up to 32.
+Geometry make(const Hull& h)
+{
+    auto corners = std::make_shared<std::vector<fcl::Vector3d>>(h.vertices().begin(), h.vertices().end());
+    return {std::make_shared<fcl::Convexd>(corners, 0, std::make_shared<std::vector<int>>())};
+}
 
 fcl::Transform3d placed(const Geometry& geometry, const Pose& pose)
 {
@@ -108,7 +112,8 @@ FclBody::FclBody(const Shape& shape)
 
 bool fcl_trusts(FclQuestion question, const Shape& a, const Shape& b)
 {
-    if (std::holds_alternative<Hull>(a) || std::holds_alternative<Hull>(b)) return false;
+    const auto round = [](const Shape& s) { return std::holds_alternative<Ellipsoid>(s); };
+    if (question == FclQuestion::conservative_advancement && (round(a) || round(b))) return false; // stale
     const Kind kind_a = kind(a);
     const Kind kind_b = kind(b);
     if (kind_a == Kind::solid && kind_b == Kind::solid) return true;
