@@ -74,9 +74,10 @@ template <class T, class... Ts> constexpr bool is_one_of = (std::is_same_v<T, Ts
 
 /// Whether exact numbers can settle what rounding leaves in doubt (exact_contact.h).
 template <class A, class B>
-constexpr bool in_whole_numbers = (is_one_of<A, Sphere> &&
-                                   is_one_of<B, Sphere, Capsule, Box, Triangle, Plane, HalfSpace>) ||
-                                  (is_one_of<A, Capsule> && is_one_of<B, Capsule, Plane, HalfSpace>);
+constexpr bool in_whole_numbers = (is_one_of<A, Sphere> && is_one_of<B, Sphere, Capsule, Box, Triangle>) ||
+                                  (is_one_of<A, Capsule> && is_one_of<B, Capsule>) ||
+                                  (is_one_of<A, Sphere, Capsule, Box, Triangle> &&
+                                   is_one_of<B, Plane, HalfSpace>);
 
 /// What a closed form left in doubt. Where there are no exact numbers, the advancement. Otherwise a start
 /// that a witness pair proves in contact is left to it; anything else is asked in exact numbers, and what
