@@ -37,8 +37,7 @@ struct Face {
     int corner[3];
     V3 normal; // outwards, unit; zero for a face without an area
     double offset;
-    bool final;   // as far out as it gets, up to rounding
-    double noise; // what rounding makes of the tilt of a sliver, at the other end of the difference
+    bool final; // as far out as it gets, up to rounding
 };
 
 /// A point of A and what leads from there to one of B.
@@ -53,7 +52,6 @@ public:
     int count = 0;
     Face faces[most_faces];
     int face_count = 0;
-    double tilt = 0; // of a triangle as high as it is long, in lengths: slack times extent
 
     /// The first four corners, whatever their orientation.
     void close()
@@ -83,11 +81,20 @@ public:
         return false;
     }
 
+    /// By how much more than a corner of the face rounding may move another point of its plane: slivers tilt
+    /// about their longest edge.
+    double tilt(const Face& f, V3 w) const
+    {
+        const Leaning t = leaning(corners[f.corner[0]].w, corners[f.corner[1]].w, corners[f.corner[2]].w);
+        const V3 edge = t.q - t.p;
+        return 1 + std::sqrt(norm_squared(across(w - t.p, edge)) / norm_squared(across(t.apex - t.p, edge)));
+    }
+
     /// A new corner, seen from `face`; false where there is no room for it.
     bool grow(int face, const Corner& corner);
 
-    /// Where its surface comes nearest to a point, among faces whose planes do within `near`.
-    Witness around(V3 point, double near) const;
+    /// Where its surface comes nearest to a point.
+    Witness around(V3 point) const;
 
 private:
     void set_face(int at, int i, int j, int k);
@@ -103,13 +110,11 @@ void Polytope::set_face(int at, int i, int j, int k)
     const V3 p = corners[i].w, q = corners[j].w, r = corners[k].w, n = face_normal(p, q, r);
     const double length = norm(n);
     Face& f = faces[at];
-    f = {{i, j, k}, {}, infinity, true, 0}; // never seen
+    f = {{i, j, k}, {}, infinity, true}; // never seen
     if (!(length > 0)) return;
-    const double square = norm_squared(q - p) + norm_squared(r - q) + norm_squared(p - r);
     f.normal = (1 / length) * n;
     f.offset = dot(f.normal, p);
     f.final = false;
-    f.noise = tilt * std::sqrt(square) / length;
 }
 
 /// Marks a face and all that hang together with it and are not barred.
@@ -162,7 +167,7 @@ bool Polytope::grow(int face, const Corner& corner)
     if (face_count + std::max(0, length - removed - free_count_) > most_faces) return false;
     for (int i = face_count - 1; i >= 0; --i) {
         if (!gone[i]) continue;
-        faces[i] = {{}, {}, infinity, true, 0};
+        faces[i] = {{}, {}, infinity, true};
         free_[free_count_++] = i;
     }
     corners[count] = corner;
@@ -182,13 +187,14 @@ Witness witness(const Simplex& s)
     return w;
 }
 
-Witness Polytope::around(V3 point, double near) const
+Witness Polytope::around(V3 point) const
 {
     Simplex best;
     double least = infinity;
     for (int i = 0; i < face_count; ++i) {
         const Face& f = faces[i];
-        if (!(std::fabs(dot(f.normal, point) - f.offset) <= near + f.noise)) continue;
+        const double height = dot(f.normal, point) - f.offset;
+        if (!(height * height < least)) continue;
         Simplex s{3, {}};
         for (int k = 0; k < 3; ++k) {
             s.corners[k] = corners[f.corner[k]];
@@ -229,11 +235,6 @@ int spread(const Core& a, const Core& b, double slack, Corner (&c)[most_corners]
     return height(c[3].w) > slack ? 4 : 3;
 }
 
-double largest_length(const Corner (&c)[most_corners])
-{
-    return std::max({norm(c[1].w - c[0].w), norm(c[2].w - c[0].w), norm(c[3].w - c[0].w)});
-}
-
 /// A difference without a volume: its own plane, or one that holds its line or point.
 Penetration flat(const Core& a, const Core& b, const Corner (&c)[most_corners], int size)
 {
@@ -256,14 +257,11 @@ Penetration flat(const Core& a, const Core& b, const Corner (&c)[most_corners], 
     return {gap, gap, ahead >= behind ? n : -n, w.on_a, w.v};
 }
 
-} // namespace
-
-Penetration penetration(const Core& a, const Core& b, double slack)
+Penetration expanded(const Core& a, const Core& b, double slack)
 {
     Polytope polytope;
     const int size = spread(a, b, slack, polytope.corners);
     if (size < 4) return flat(a, b, polytope.corners, size);
-    polytope.tilt = slack * largest_length(polytope.corners);
     polytope.close();
     Axis best;
     double least = 0;
@@ -276,23 +274,35 @@ Penetration penetration(const Core& a, const Core& b, double slack)
         const Corner corner = extreme(a, b, face.normal);
         const double height = dot(face.normal, corner.w);
         if (-height > best.gap) best = {-height, -face.normal};
-        const double noise = corner.in_a < 0 || corner.in_b < 0 ? face.noise : 0;
-        if (height - least <= std::max(slack, noise) || polytope.has(corner))
+        if (height - least <= slack * polytope.tilt(face, corner.w) || polytope.has(corner))
             face.final = true;
         else if (!polytope.grow(nearest, corner))
             break;
     }
-    if (!is_polytope(a) || !is_polytope(b)) {
-        const auto [axis, top] = locally_best(a, b, best, slack);
-        best = axis;
-        if (top) least = -best.gap;
-    }
     best.gap = gap_along(a, b, best.normal);
-    const double gap = std::max(best.gap, -least);
-    const bool apart = best.gap > slack;
-    const Witness w =
-        apart ? polytope.around({}, infinity) : polytope.around(gap * best.normal, gap - best.gap + slack);
-    return {best.gap, gap, best.normal, w.on_a, w.v};
+    Penetration p{best.gap, std::max(best.gap, -least), best.normal, {}, {}};
+    const Witness w = polytope.around(best.gap > slack ? V3{} : p.gap * best.normal);
+    p.point_a = w.on_a;
+    p.v = w.v;
+    return p;
+}
+
+} // namespace
+
+Penetration penetration(const Core& a, const Core& b, double slack)
+{
+    const Penetration found = expanded(a, b, slack);
+    if (is_polytope(a) && is_polytope(b)) return found;
+    const LocalTop local = locally_best(a, b, {found.lower, found.normal}, slack);
+    const Axis axis = local.axis;
+    if (!(axis.gap > found.lower - slack)) return found;
+    Penetration p{axis.gap, local.top ? axis.gap : std::max(found.gap, axis.gap), axis.normal, found.point_a,
+                  found.v};
+    // Where it is apart, the shortest v; else the one that is most nearly upright on the surface.
+    const V3 wanted = axis.gap > 0 ? V3{} : axis.gap * axis.normal;
+    if (norm_squared(local.v - wanted) < norm_squared(found.v - wanted))
+        p.point_a = local.point_a, p.v = local.v;
+    return p;
 }
 
 } // namespace brink

@@ -96,12 +96,11 @@ Separation by_features(const Core& a, const Core& b, const Axis& axis, double sl
 /// Cores apart, of which one is round: GJK knows the axis to half of the digits or so.
 Separation refined(const Core& a, const Core& b, const Closest& c, const Axis& ahead, double slack)
 {
-    const Axis best = locally_best(a, b, ahead, slack).axis;
-    const V3 on_a = farthest(a, best.normal).point, v = farthest(b, -best.normal).point - on_a;
-    const bool shorter = norm_squared(v) < norm_squared(c.v);
-    const V3 point_a = shorter ? on_a : c.point_a;
-    const double gap = std::max(best.gap, norm(shorter ? v : c.v));
-    return {best.gap, gap, best.normal, point_a, point_a + gap * best.normal};
+    const LocalTop top = locally_best(a, b, ahead, slack);
+    const bool shorter = norm_squared(top.v) < norm_squared(c.v);
+    const double gap = std::max(top.axis.gap, norm(shorter ? top.v : c.v));
+    const V3 point_a = shorter ? top.point_a : c.point_a;
+    return {top.axis.gap, gap, top.axis.normal, point_a, point_a + gap * top.axis.normal};
 }
 
 /// Cores of many corners or none, of which GJK was not certain: apart by less than it could confirm, or not
@@ -115,9 +114,9 @@ Separation by_support(const Core& a, const Core& b, const Closest& c, double sla
         return {std::min(ahead.gap, distance), distance, ahead.normal, c.point_a, c.point_a + c.v};
     const Penetration p = penetration(a, b, slack);
     if (p.lower <= slack) return {p.lower, p.gap, p.normal, p.point_a, p.point_a + p.gap * p.normal};
-    const double shortest = norm(p.v);
-    const Axis nearest = preferred({p.lower, p.normal}, along(a, b, p.v), shortest - slack);
-    return {std::min(nearest.gap, shortest), shortest, nearest.normal, p.point_a, p.point_a + p.v};
+    const bool sure = !(is_polytope(a) && is_polytope(b)) && p.gap - p.lower <= slack;
+    const double gap = sure ? p.gap : std::max(p.lower, norm(p.v));
+    return {p.lower, gap, p.normal, p.point_a, p.point_a + gap * p.normal};
 }
 
 } // namespace

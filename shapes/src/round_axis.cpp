@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "round_axis.h"
 
+#include "simplex.h"
 #include "support.h"
 
 #include <algorithm>
@@ -9,90 +10,120 @@ namespace brink {
 
 namespace {
 
-/// Enough to double the digits from two to all of them, and for as many steps too long.
 constexpr int most_rounds = 12;
 /// Of a direction, in radians: half of a double's digits.
 constexpr double apart = 0x1p-20;
-/// Steps longer than this leave the neighbourhood.
+/// A supporting point that turns with its direction by more than this, in lengths per radian and in lengths
+/// of the cores, jumps from one end of a line to the other.
+constexpr double jump = 0x1p10;
+/// Steps longer than this, in radians, leave the neighbourhood.
 constexpr double longest_step = 0.25;
 
-struct Slope {
-    double e, f;
-    double square() const { return e * e + f * f; }
-};
+using Corner = Simplex::Corner;
 
-/// The gap along axes about a given one, as a function of a step along two directions at right angles to it.
+/// The gap along axes about a given one, and how it changes, in two directions at right angles to it.
 class Chart {
 public:
-    Chart(const Core& a, const Core& b, V3 axis)
-        : a_(a), b_(b), axis_(axis), e_(any_perpendicular(axis)), f_(cross(axis, e_))
-    {
-    }
+    Chart(const Core& a, const Core& b, V3 axis, double size);
 
-    V3 direction(Slope step) const { return axis_ + (step.e * e_ + step.f * f_); }
-
-    Slope slope(Slope step) const
-    {
-        const V3 n = direction(step), w = farthest(b_, -n).point - farthest(a_, n).point;
-        const double square = norm_squared(n), lean = dot(w, n) / square, length = std::sqrt(square);
-        return {(dot(w, e_) - lean * dot(n, e_)) / length, (dot(w, f_) - lean * dot(n, f_)) / length};
-    }
-
-    /// Where the slope vanishes, were it linear.
-    Slope newton(Slope here) const
-    {
-        const Slope by_e = slope({apart, 0}), by_f = slope({0, apart});
-        const double ee = (by_e.e - here.e) / apart, ff = (by_f.f - here.f) / apart;
-        const double ef = 0.5 * ((by_e.f - here.f) + (by_f.e - here.e)) / apart;
-        const double determinant = ee * ff - ef * ef;
-        if (!(ee + ff < 0 && determinant > 0)) return {here.e, here.f}; // no top nearby: upwards
-        return {(ef * here.f - ff * here.e) / determinant, (ef * here.e - ee * here.f) / determinant};
-    }
+    /// A step to where the gap is the largest.
+    V3 step() const;
+    /// What it promises to gain.
+    double gain() const { return std::fabs(first_.gain) + std::fabs(second_.gain); }
+    /// Where the difference comes nearest to the origin.
+    Simplex nearest() const { return nearest_; }
 
 private:
+    struct Way {
+        V3 direction;
+        double step = 0, gain = 0;
+    };
+
+    Corner support(V3 n) const
+    {
+        const SupportPoint on_a = farthest(a_, n), on_b = farthest(b_, -n);
+        return {on_b.point - on_a.point, on_a.point, on_a.corner, on_b.corner, 1};
+    }
+    Way along(V3 direction, double bend);
+
     const Core& a_;
     const Core& b_;
-    V3 axis_, e_, f_;
+    V3 axis_;
+    double size_;
+    Corner here_;
+    Simplex nearest_;
+    Way first_, second_;
 };
 
-Slope shortened(Slope s)
+Chart::Chart(const Core& a, const Core& b, V3 axis, double size)
+    : a_(a), b_(b), axis_(axis), size_(size), here_(support(axis)), nearest_{1, {here_}}
 {
-    const double length = std::sqrt(s.e * s.e + s.f * s.f);
-    const double share = length > longest_step ? longest_step / length : 1;
-    return {share * s.e, share * s.f};
+    const V3 e = any_perpendicular(axis), f = cross(axis, e);
+    const V3 by_e = support(axis + apart * e).w - support(axis - apart * e).w;
+    const V3 by_f = support(axis + apart * f).w - support(axis - apart * f).w;
+    const double scale = 0.5 / apart, ee = scale * dot(by_e, e), ff = scale * dot(by_f, f);
+    const double ef = 0.5 * scale * (dot(by_e, f) + dot(by_f, e)), half = 0.5 * (ee - ff);
+    // The directions in which the bend is strongest and weakest.
+    const double root = std::sqrt(half * half + ef * ef), strong = 0.5 * (ee + ff) - root;
+    V3 way = half <= 0 ? (half - root) * e + ef * f : ef * e - (half + root) * f;
+    way = norm(way) > 0 ? (1 / norm(way)) * way : e;
+    first_ = along(way, strong);
+    second_ = along(cross(axis, way), 0.5 * (ee + ff) + root);
 }
 
-/// What a step leads to, or half of it and so on: the first axis that is better than the best. Near the top,
-/// where rounding hides what is better, a slope less by half is.
-Axis better(const Core& a, const Core& b, const Axis& best, const Chart& chart, Slope here, double slack)
+/// One way of two that do not bend into each other.
+Chart::Way Chart::along(V3 direction, double bend)
 {
-    Slope step = shortened(chart.newton(here));
-    for (int halving = 0; halving < most_rounds; ++halving) {
-        const V3 n = chart.direction(step), normal = (1 / norm(n)) * n;
-        const double gap = gap_along(a, b, normal);
-        const bool as_good = gap >= best.gap - slack && chart.slope(step).square() < 0.25 * here.square();
-        if (gap > best.gap + slack || as_good) return {gap, normal};
-        step = {0.5 * step.e, 0.5 * step.f};
+    Way way{direction, 0, 0};
+    const double gap = dot(axis_, here_.w);
+    if (bend < -jump * size_) {
+        const Corner ahead = support(axis_ + apart * direction), behind = support(axis_ - apart * direction);
+        const V3 line = ahead.w - behind.w;
+        const double across = dot(line, direction);
+        if (!(across < 0)) return way;
+        way.step = -dot(line, axis_) / across;
+        way.gain = way.step * across;
+        nearest_ = Simplex{2, {behind, ahead}}.reduced();
+        return way;
     }
-    return {};
+    const double slope = dot(here_.w, direction), curvature = bend - gap; // of the unit sphere, too
+    way.step = curvature < 0 ? -slope / curvature : slope / size_;
+    way.gain = 0.5 * slope * way.step;
+    return way;
+}
+
+V3 Chart::step() const
+{
+    const V3 s = first_.step * first_.direction + second_.step * second_.direction;
+    const double length = norm(s);
+    return length > longest_step ? (longest_step / length) * s : s;
 }
 
 } // namespace
 
 LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double slack)
 {
-    // What a slope leaves to climb is about its square, in lengths of the two cores.
-    const double flat = slack * std::max(extent(a), extent(b));
-    Axis best = start;
+    const double size = std::max(extent(a), extent(b));
+    LocalTop best;
+    V3 axis = start.normal;
+    double most = -infinity;
     for (int round = 0; round < most_rounds; ++round) {
-        const Chart chart(a, b, best.normal);
-        const Slope here = chart.slope({0, 0});
-        if (here.square() <= slack * slack) return {best, true};
-        const Axis next = better(a, b, best, chart, here, slack);
-        if (next.gap == -infinity) return {best, here.square() <= flat};
-        best = next;
+        const Chart chart(a, b, axis, size);
+        const double gap = gap_along(a, b, axis);
+        const bool better = !(gap < most - 0.25 * slack); // below that it is rounding
+        if (better) {
+            const Simplex s = chart.nearest();
+            best = {{gap, axis}, chart.gain() <= slack, {}, s.point()};
+            for (int k = 0; k < s.size; ++k)
+                best.point_a = best.point_a + s.corners[k].weight * s.corners[k].on_a;
+            most = std::max(most, gap);
+        }
+        const V3 step = better ? chart.step() : 0.5 * (best.axis.normal - axis);
+        if (!(norm_squared(step) > tolerance::epsilon * tolerance::epsilon)) break;
+        axis = axis + step;
+        axis = (1 / norm(axis)) * axis;
     }
-    return {best, false};
+    return best;
 }
 
 } // namespace brink

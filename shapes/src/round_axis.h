@@ -5,14 +5,19 @@
 
 namespace brink {
 
+/// An axis, what it is worth, and where the cores come nearest if that is a point or a line of the
+/// difference.
 struct LocalTop {
     Axis axis;
-    bool top; // whether the gap is within some slack of the largest nearby, as far as its slope tells
+    bool top = false; // the gap is within the slack of the largest nearby, as far as slopes tell
+    V3 point_a, v;    // a point of A and what leads from there to one of B
 };
 
 /// An axis along which the gap between two cores, of which one is round, is locally the largest, from one
-/// that is near: Newton's method on the plane of directions about it, with the second derivatives from
-/// differences of supporting points. Never worse than the axis given by more than the slack.
+/// that is near. Newton's method on the plane of directions about it, the second derivatives from differences
+/// of supporting points; where those jump across a ridge, because a straight line of the difference lies
+/// against the plane, the axis is made to stand upright on it and goes on along the ridge. Never worse than
+/// the axis given by more than the slack.
 LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double slack);
 
 } // namespace brink
