@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "epa.h"
 
+#include "expanding_polytope.h"
 #include "nearest.h"
 #include "round_axis.h"
-#include "simplex.h"
 #include "support.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <utility>
 
 namespace brink {
 
@@ -16,9 +14,7 @@ namespace {
 
 using Corner = Simplex::Corner;
 
-constexpr int most_faces = 252;
-constexpr int most_rounds = 64;                  // where there is no volume to grow in
-constexpr int most_corners = most_faces / 2 + 2; // Euler
+constexpr int most_rounds = 256; // more than the polytope has room for
 
 /// The corner of the difference B - A that lies farthest along m.
 Corner extreme(const Core& a, const Core& b, V3 m)
@@ -33,185 +29,8 @@ template <class Measure> Corner farther(const Corner& p, const Corner& q, Measur
     return measure(q.w) > measure(p.w) ? q : p;
 }
 
-struct Face {
-    int corner[3];
-    V3 normal; // outwards, unit; zero for a face without an area
-    double offset;
-    bool final; // as far out as it gets, up to rounding
-};
-
-/// A point of A and what leads from there to one of B.
-struct Witness {
-    V3 on_a, v;
-};
-
-/// A closed surface of triangles between corners of the difference.
-class Polytope {
-public:
-    Corner corners[most_corners];
-    int count = 0;
-    Face faces[most_faces];
-    int face_count = 0;
-
-    /// The first four corners, whatever their orientation.
-    void close()
-    {
-        count = 4;
-        const V3 n = face_normal(corners[0].w, corners[1].w, corners[2].w);
-        if (dot(n, corners[3].w - corners[0].w) > 0) std::swap(corners[0], corners[1]);
-        set_face(face_count++, 0, 1, 2);
-        set_face(face_count++, 1, 0, 3);
-        set_face(face_count++, 2, 1, 3);
-        set_face(face_count++, 0, 2, 3);
-    }
-
-    /// The face nearest to the origin that is not final; -1 where all are.
-    int nearest() const
-    {
-        int best = -1;
-        for (int i = 0; i < face_count; ++i)
-            if (!faces[i].final && (best < 0 || faces[i].offset < faces[best].offset)) best = i;
-        return best;
-    }
-
-    bool has(const Corner& corner) const
-    {
-        for (int i = 0; i < count; ++i)
-            if (corners[i].w == corner.w) return true;
-        return false;
-    }
-
-    /// By how much more than a corner of the face rounding may move another point of its plane: slivers tilt
-    /// about their longest edge.
-    double tilt(const Face& f, V3 w) const
-    {
-        const Leaning t = leaning(corners[f.corner[0]].w, corners[f.corner[1]].w, corners[f.corner[2]].w);
-        const V3 edge = t.q - t.p;
-        return 1 + std::sqrt(norm_squared(across(w - t.p, edge)) / norm_squared(across(t.apex - t.p, edge)));
-    }
-
-    /// A new corner, seen from `face`; false where there is no room for it.
-    bool grow(int face, const Corner& corner);
-
-    /// Where its surface comes nearest to a point.
-    Witness around(V3 point) const;
-
-private:
-    void set_face(int at, int i, int j, int k);
-    void flood(int from, const bool (&barred)[most_faces], bool (&reached)[most_faces]) const;
-
-    int free_[most_faces], free_count_ = 0;
-    std::uint8_t owner_[most_corners][most_corners]; // the face that goes round with this edge
-};
-
-void Polytope::set_face(int at, int i, int j, int k)
-{
-    owner_[i][j] = owner_[j][k] = owner_[k][i] = static_cast<std::uint8_t>(at);
-    const V3 p = corners[i].w, q = corners[j].w, r = corners[k].w, n = face_normal(p, q, r);
-    const double length = norm(n);
-    Face& f = faces[at];
-    f = {{i, j, k}, {}, infinity, true}; // never seen
-    if (!(length > 0)) return;
-    f.normal = (1 / length) * n;
-    f.offset = dot(f.normal, p);
-    f.final = false;
-}
-
-/// Marks a face and all that hang together with it and are not barred.
-void Polytope::flood(int from, const bool (&barred)[most_faces], bool (&reached)[most_faces]) const
-{
-    int open[most_faces], waiting = 0;
-    reached[from] = true;
-    open[waiting++] = from;
-    while (waiting > 0) {
-        const int* c = faces[open[--waiting]].corner;
-        for (int i = 0; i < 3; ++i) {
-            const int next = owner_[c[(i + 1) % 3]][c[i]];
-            if (barred[next] || reached[next]) continue;
-            reached[next] = true;
-            open[waiting++] = next;
-        }
-    }
-}
-
-/// The new corner's cone takes the place of the faces seen from it. Rounding may leave islands among them, or
-/// scatter some elsewhere: what is taken away hangs together, and so does what is left.
-bool Polytope::grow(int face, const Corner& corner)
-{
-    bool seen[most_faces], kept[most_faces] = {}, gone[most_faces] = {};
-    int darkest = face;
-    double least = 0;
-    for (int i = 0; i < face_count; ++i) {
-        const bool empty = faces[i].offset == infinity;
-        const double height = empty ? 0 : dot(faces[i].normal, corner.w) - faces[i].offset;
-        seen[i] = height > 0 || i == face;
-        if (height < least) least = height, darkest = i;
-    }
-    if (count == most_corners || darkest == face) return false;
-    flood(darkest, seen, kept);
-    flood(face, kept, gone);
-
-    int border[most_faces][2], length = 0;
-    for (int i = 0; i < face_count; ++i) {
-        if (!gone[i]) continue;
-        const int* c = faces[i].corner;
-        for (int k = 0; k < 3; ++k) {
-            const int from = c[k], to = c[(k + 1) % 3];
-            if (gone[owner_[to][from]]) continue;
-            if (length == most_faces) return false;
-            border[length][0] = from;
-            border[length++][1] = to;
-        }
-    }
-    const auto removed = static_cast<int>(std::count(gone, gone + face_count, true));
-    if (face_count + std::max(0, length - removed - free_count_) > most_faces) return false;
-    for (int i = face_count - 1; i >= 0; --i) {
-        if (!gone[i]) continue;
-        faces[i] = {{}, {}, infinity, true};
-        free_[free_count_++] = i;
-    }
-    corners[count] = corner;
-    for (int i = 0; i < length; ++i)
-        set_face(free_count_ > 0 ? free_[--free_count_] : face_count++, border[i][0], border[i][1], count);
-    ++count;
-    return true;
-}
-
-Witness witness(const Simplex& s)
-{
-    Witness w;
-    for (int k = 0; k < s.size; ++k) {
-        w.on_a = w.on_a + s.corners[k].weight * s.corners[k].on_a;
-        w.v = w.v + s.corners[k].weight * s.corners[k].w;
-    }
-    return w;
-}
-
-Witness Polytope::around(V3 point) const
-{
-    Simplex best;
-    double least = infinity;
-    for (int i = 0; i < face_count; ++i) {
-        const Face& f = faces[i];
-        const double height = dot(f.normal, point) - f.offset;
-        if (!(height * height < least)) continue;
-        Simplex s{3, {}};
-        for (int k = 0; k < 3; ++k) {
-            s.corners[k] = corners[f.corner[k]];
-            s.corners[k].w = s.corners[k].w - point;
-        }
-        s = s.reduced();
-        const double square = norm_squared(s.point());
-        if (!(square < least)) continue;
-        least = square;
-        best = s;
-    }
-    const Witness w = witness(best);
-    return {w.on_a, point + w.v};
-}
-
 /// Four corners far apart; fewer where the difference has no volume.
-int spread(const Core& a, const Core& b, double slack, Corner (&c)[most_corners])
+int spread(const Core& a, const Core& b, double slack, Corner (&c)[4])
 {
     const auto length = [&](V3 w) { return norm_squared(w - c[0].w); };
     for (const V3 axis : {V3{1, 0, 0}, V3{0, 1, 0}, V3{0, 0, 1}}) {
@@ -236,7 +55,7 @@ int spread(const Core& a, const Core& b, double slack, Corner (&c)[most_corners]
 }
 
 /// A difference without a volume: its own plane, or one that holds its line or point.
-Penetration flat(const Core& a, const Core& b, const Corner (&c)[most_corners], int size)
+Penetration flat(const Core& a, const Core& b, const Corner (&c)[4], int size)
 {
     V3 n = size == 3 ? face_normal(c[0].w, c[1].w, c[2].w) : any_perpendicular(c[size - 1].w - c[0].w);
     n = (1 / norm(n)) * n;
@@ -257,33 +76,79 @@ Penetration flat(const Core& a, const Core& b, const Corner (&c)[most_corners], 
     return {gap, gap, ahead >= behind ? n : -n, w.on_a, w.v};
 }
 
-Penetration expanded(const Core& a, const Core& b, double slack)
-{
-    Polytope polytope;
-    const int size = spread(a, b, slack, polytope.corners);
-    if (size < 4) return flat(a, b, polytope.corners, size);
-    polytope.close();
+/// The axis that turns out to be the best as faces nearest to the origin, or the farthest before it, grow;
+/// and the least offset at last.
+struct Growth {
     Axis best;
     double least = 0;
-    for (int round = 0; round < most_faces; ++round) {
+};
+
+/// Ends early with an axis of more than `enough`.
+Growth grown(ExpandingPolytope& polytope, const Core& a, const Core& b, double slack, double enough)
+{
+    Growth g;
+    for (int round = 0; round < most_rounds && !(g.best.gap > enough); ++round) {
         const int nearest = polytope.nearest();
         if (nearest < 0) break;
-        Face& face = polytope.faces[nearest];
-        least = face.offset;
-        if (least + slack >= -best.gap) break;
+        auto& face = polytope.face(nearest);
+        g.least = face.offset;
+        if (g.least + slack >= -g.best.gap) break;
         const Corner corner = extreme(a, b, face.normal);
         const double height = dot(face.normal, corner.w);
-        if (-height > best.gap) best = {-height, -face.normal};
-        if (height - least <= slack * polytope.tilt(face, corner.w) || polytope.has(corner))
+        if (-height > g.best.gap) g.best = {-height, -face.normal};
+        if (height - g.least <= slack * polytope.tilt(face, corner.w) || polytope.has(corner))
             face.final = true;
         else if (!polytope.grow(nearest, corner))
             break;
     }
+    return g;
+}
+
+/// Of cores found apart: grows towards the origin, as GJK does, but forgets nothing.
+Penetration distance(ExpandingPolytope& polytope, const Core& a, const Core& b, Axis best, double slack)
+{
+    Witness nearest = polytope.around({});
+    for (int round = 0; round < most_rounds; ++round) {
+        const double length = norm(nearest.v);
+        if (!(length > slack)) break;
+        const V3 n = (1 / length) * nearest.v;
+        const Corner corner = extreme(a, b, -n);
+        const double lower = dot(n, corner.w);
+        if (lower > best.gap) best = {lower, n};
+        if (length - best.gap <= slack || polytope.has(corner)) break;
+        if (!polytope.grow(polytope.brightest(corner.w), corner)) break;
+        nearest = polytope.around({});
+    }
     best.gap = gap_along(a, b, best.normal);
-    Penetration p{best.gap, std::max(best.gap, -least), best.normal, {}, {}};
-    const Witness w = polytope.around(best.gap > slack ? V3{} : p.gap * best.normal);
-    p.point_a = w.on_a;
-    p.v = w.v;
+    return {best.gap, std::max(best.gap, norm(nearest.v)), best.normal, nearest.on_a, nearest.v};
+}
+
+Penetration expanded(const Core& a, const Core& b, double slack, double enough)
+{
+    Corner first[4];
+    const int size = spread(a, b, slack, first);
+    if (size < 4) return flat(a, b, first, size);
+    ExpandingPolytope polytope(first);
+    Growth g = grown(polytope, a, b, slack, enough);
+    if (g.best.gap > enough) return distance(polytope, a, b, g.best, slack);
+    g.best.gap = gap_along(a, b, g.best.normal);
+    const double gap = std::max(g.best.gap, -g.least);
+    const Witness w = polytope.around(g.best.gap > slack ? V3{} : gap * g.best.normal);
+    return {g.best.gap, gap, g.best.normal, w.on_a, w.v};
+}
+
+/// With a better axis and better points, where a round core lets Newton's method find them.
+Penetration polished(const Core& a, const Core& b, Penetration p, double slack)
+{
+    const LocalTop local = locally_best(a, b, {p.lower, p.normal}, slack);
+    const Axis axis = local.axis;
+    if (!(axis.gap > p.lower - slack)) return p;
+    // Where they are apart, the shortest v; else the one that comes nearest to what the axis says.
+    const V3 wanted = axis.gap > slack ? V3{} : axis.gap * axis.normal;
+    if (norm_squared(local.v - wanted) < norm_squared(p.v - wanted)) p.point_a = local.point_a, p.v = local.v;
+    p.lower = axis.gap;
+    p.normal = axis.normal;
+    p.gap = local.top ? axis.gap : std::max(p.gap, axis.gap);
     return p;
 }
 
@@ -291,17 +156,19 @@ Penetration expanded(const Core& a, const Core& b, double slack)
 
 Penetration penetration(const Core& a, const Core& b, double slack)
 {
-    const Penetration found = expanded(a, b, slack);
-    if (is_polytope(a) && is_polytope(b)) return found;
-    const LocalTop local = locally_best(a, b, {found.lower, found.normal}, slack);
-    const Axis axis = local.axis;
-    if (!(axis.gap > found.lower - slack)) return found;
-    Penetration p{axis.gap, local.top ? axis.gap : std::max(found.gap, axis.gap), axis.normal, found.point_a,
-                  found.v};
-    // Where it is apart, the shortest v; else the one that is most nearly upright on the surface.
-    const V3 wanted = axis.gap > 0 ? V3{} : axis.gap * axis.normal;
-    if (norm_squared(local.v - wanted) < norm_squared(found.v - wanted))
-        p.point_a = local.point_a, p.v = local.v;
+    if (is_polytope(a) && is_polytope(b)) return expanded(a, b, slack, slack);
+    Penetration p = polished(a, b, expanded(a, b, slack, infinity), slack);
+    const bool touching = norm_squared(p.v) <= tolerance::contact * slack * slack;
+    if (p.lower > slack && !touching) p.gap = std::max(p.lower, norm(p.v));
+    return p;
+}
+
+Penetration separation_by_growth(const Core& a, const Core& b, double slack)
+{
+    Penetration p = expanded(a, b, slack, slack);
+    if (!(p.lower > slack) || (is_polytope(a) && is_polytope(b))) return p;
+    p = polished(a, b, p, slack);
+    p.gap = std::max(p.lower, norm(p.v));
     return p;
 }
 

@@ -93,30 +93,38 @@ Separation by_features(const Core& a, const Core& b, const Axis& axis, double sl
             pair.point_a + pair.v};
 }
 
-/// Cores apart, of which one is round: GJK knows the axis to half of the digits or so.
+bool has_round(const Core& a, const Core& b) { return !is_polytope(a) || !is_polytope(b); }
+
+double doubt(const Separation& s) { return s.gap - s.lower; }
+
+/// Cores apart: what GJK found, and where one is round a better axis, of which GJK knows half of the digits
+/// or so.
 Separation refined(const Core& a, const Core& b, const Closest& c, const Axis& ahead, double slack)
 {
+    const double distance = norm(c.v);
+    if (!has_round(a, b))
+        return {std::min(ahead.gap, distance), distance, ahead.normal, c.point_a, c.point_a + c.v};
     const LocalTop top = locally_best(a, b, ahead, slack);
     const bool shorter = norm_squared(top.v) < norm_squared(c.v);
-    const double gap = std::max(top.axis.gap, norm(shorter ? top.v : c.v));
+    const double gap = std::max(top.axis.gap, shorter ? norm(top.v) : distance);
     const V3 point_a = shorter ? top.point_a : c.point_a;
     return {top.axis.gap, gap, top.axis.normal, point_a, point_a + gap * top.axis.normal};
 }
 
-/// Cores of many corners or none, of which GJK was not certain: apart by less than it could confirm, or not
-/// at all.
+Separation with_points(const Penetration& p)
+{
+    return {p.lower, p.gap, p.normal, p.point_a, p.point_a + p.gap * p.normal};
+}
+
+/// Cores of many corners or none, of which GJK was not certain.
 Separation by_support(const Core& a, const Core& b, const Closest& c, double slack)
 {
-    const double distance = norm(c.v);
     const Axis ahead = along(a, b, c.v);
-    if (ahead.gap > slack && !(is_polytope(a) && is_polytope(b))) return refined(a, b, c, ahead, slack);
-    if (ahead.gap > slack)
-        return {std::min(ahead.gap, distance), distance, ahead.normal, c.point_a, c.point_a + c.v};
-    const Penetration p = penetration(a, b, slack);
-    if (p.lower <= slack) return {p.lower, p.gap, p.normal, p.point_a, p.point_a + p.gap * p.normal};
-    const bool sure = !(is_polytope(a) && is_polytope(b)) && p.gap - p.lower <= slack;
-    const double gap = sure ? p.gap : std::max(p.lower, norm(p.v));
-    return {p.lower, gap, p.normal, p.point_a, p.point_a + gap * p.normal};
+    if (!(ahead.gap > slack)) return with_points(penetration(a, b, slack));
+    const Separation near = refined(a, b, c, ahead, slack);
+    if (doubt(near) <= slack) return near;
+    const Separation other = with_points(separation_by_growth(a, b, slack));
+    return other.lower > slack && doubt(other) < doubt(near) ? other : near;
 }
 
 } // namespace

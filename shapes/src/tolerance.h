@@ -22,6 +22,11 @@ inline constexpr double tight = 8 * epsilon;
 /// safety.
 inline constexpr double turned = 20 * epsilon;
 
+/// Round cores of which points are known that are no farther from each other than the square root of this
+/// times the slack count as touching, and their supporting planes tell how far apart they are (no unit):
+/// chords a few times as long as 2^-20 of the scale leave a surface by no more than the slack.
+inline constexpr double contact = 0x1p60;
+
 /// Two edges count as parallel when the sine of their angle is at most this (no unit): the rounding of the
 /// cross product of two unit vectors. Treating them as parallel moves an end by no more than that.
 inline constexpr double parallel = 8 * epsilon;
