@@ -75,8 +75,7 @@ TEST_CASE("cores of every kind: bounds of the gap that agree, and points that sh
         apart += s.gap > 0;
         overlapping += s.gap < 0;
     }
-    MESSAGE(loose);
-    CHECK(loose < 200);
+    CHECK(loose < 25);
     CHECK(apart > 3'000);
     CHECK(overlapping > 3'000);
 }

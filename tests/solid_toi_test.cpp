@@ -63,8 +63,7 @@ TEST_CASE("time_of_impact: cylinders, cones, ellipsoids and hulls against every 
         CHECK(least > -1e-12);
         if (toi.status == Status::hit) CHECK(gap(q, toi.t) <= 1e-8);
     }
-    MESSAGE(hits, " ", separated, " ", touching, " ", undecided);
     CHECK(hits > asked / 5);
     CHECK(separated > asked / 5);
-    CHECK(undecided < asked / 100);
+    CHECK(undecided < asked / 1000);
 }

@@ -24,7 +24,7 @@ inline constexpr double turned = 20 * epsilon;
 
 /// Round cores of which points are known that are no farther from each other than the square root of this
 /// times the slack count as touching, and their supporting planes tell how far apart they are (no unit):
-/// chords a few times as long as 2^-20 of the scale leave a surface by no more than the slack.
+/// chords of 2^-19 of the scale leave a surface curved like the scale by 2^-41 of it.
 inline constexpr double contact = 0x1p60;
 
 /// Two edges count as parallel when the sine of their angle is at most this (no unit): the rounding of the
