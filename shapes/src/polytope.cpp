@@ -122,7 +122,7 @@ Separation by_support(const Core& a, const Core& b, const Closest& c, double sla
     const Axis ahead = along(a, b, c.v);
     if (!(ahead.gap > slack)) return with_points(penetration(a, b, slack));
     const Separation near = refined(a, b, c, ahead, slack);
-    if (doubt(near) <= slack) return near;
+    if (doubt(near) <= tolerance::agreed * slack) return near;
     const Separation other = with_points(separation_by_growth(a, b, slack));
     return other.lower > slack && doubt(other) < doubt(near) ? other : near;
 }

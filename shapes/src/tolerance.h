@@ -22,6 +22,10 @@ inline constexpr double tight = 8 * epsilon;
 /// safety.
 inline constexpr double turned = 20 * epsilon;
 
+/// Bounds of a distance that differ by this many times the slack are not worth the long way (no unit): 512
+/// roundings, and still a thousandth of the default tolerance of a query in a scene of size 10.
+inline constexpr double agreed = 64;
+
 /// Round cores of which points are known that are no farther from each other than the square root of this
 /// times the slack count as touching, and their supporting planes tell how far apart they are (no unit):
 /// chords of 2^-19 of the scale leave a surface curved like the scale by 2^-41 of it.

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "round_axis.h"
+#include "solid_cores.h"
+
+#include <doctest/doctest.h>
+
+using namespace brink;
+using support::Random;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+V3 tilted(Random& random, V3 axis, double angle)
+{
+    const V3 n = axis + angle * load(random.unit());
+    return (1 / norm(n)) * n;
+}
+
+} // namespace
+
+TEST_CASE("locally best axis: that of two balls, apart and overlapping")
+{
+    Random random(141);
+    for (int i = 0; i < 2'000; ++i) {
+        const double r = random.between(0.1, 1), s = random.between(0.1, 1), apart = random.between(0.2, 3);
+        const V3 way = load(random.unit());
+        const Core a = core(Ellipsoid{{r, r, r}}), b = placed(core(Ellipsoid{{s, s, s}}), {}, apart * way);
+        const V3 start = tilted(random, way, random.log_between(1e-9, 0.2));
+        const LocalTop found = locally_best(a, b, {gap_along(a, b, start), start}, 32 * eps);
+        CAPTURE(i);
+        CHECK(found.top);
+        CHECK(std::fabs(found.axis.gap - (apart - r - s)) <= 64 * eps);
+        CHECK(norm(found.axis.normal - way) <= 1e-7);
+        CHECK(norm(found.v - found.axis.gap * found.axis.normal) <= 1e-7);
+    }
+}
+
+TEST_CASE("locally best axis: upright on the ridge where two cylinders cross, side against side")
+{
+    Random random(142);
+    for (int i = 0; i < 1'000; ++i) {
+        const double gap = random.between(-0.2, 0.5), angle = random.between(0.2, 1.4);
+        const Quat lying(std::cos(angle), std::sin(angle), 0, 0); // about x
+        const Core a = core(Cylinder{2, 0.5});
+        const Core b = placed(core(Cylinder{2, 0.25}), rotation(lying), {0.75 + gap, 0, 0});
+        const V3 start = tilted(random, {1, 0, 0}, random.log_between(1e-9, 1e-7));
+        const LocalTop found = locally_best(a, b, {gap_along(a, b, start), start}, 32 * eps);
+        CAPTURE(i);
+        CHECK(found.axis.gap <= gap + 8 * eps);
+        CHECK(found.axis.gap >= gap_along(a, b, start) - 64 * eps);
+    }
+}
+
+TEST_CASE("locally best axis: never worse than the one given, whatever the cores")
+{
+    SolidCores cores(143);
+    for (int i = 0; i < 4'000; ++i) {
+        const auto [a, b] = cores.pair(i % 3, i / 3 % 8);
+        const V3 start = load(cores.random.unit());
+        const double size = std::max(extent(a), extent(b)), slack = 8 * eps * size;
+        const LocalTop found = locally_best(a, b, {gap_along(a, b, start), start}, slack);
+        CAPTURE(i);
+        CHECK(found.axis.gap >= gap_along(a, b, start) - slack);
+        CHECK(found.axis.gap == gap_along(a, b, found.axis.normal));
+    }
+}
