@@ -20,8 +20,7 @@ namespace {
 
 constexpr int still_repetitions = 15;
 constexpr int turning_repetitions = 7;
-constexpr std::size_t still_queries = 262'144;
-constexpr std::size_t turning_queries = 131'072; // half of them hit
+constexpr std::size_t brink_queries = 120'000; // half of them hit
 constexpr std::size_t fcl_queries = 4'096;
 
 /// What one benchmark asks, over and over: a list of pairs, as many as a repetition has iterations.
@@ -115,8 +114,7 @@ public:
 private:
     void add(const PairKind& kind, Turning turning)
     {
-        const std::size_t queries = turning == Turning::none ? still_queries : turning_queries;
-        const Sample& sample = keep(draw_sample(kind, turning, queries));
+        const Sample& sample = keep(draw_sample(kind, turning, brink_queries));
         const auto add_job = [&](std::string_view who, std::string_view what, const std::vector<Pair>& pairs,
                                  std::size_t count) {
             Timing timing;
@@ -128,10 +126,10 @@ private:
             timing.repetitions = turning == Turning::none ? still_repetitions : turning_repetitions;
             jobs_.push_back({timing, turning, &sample, &pairs});
         };
-        add_job(build_name(), "mixed", sample.mixed, queries);
-        if (turning == Turning::none) add_job(build_name(), "mixed time_only", sample.mixed, queries);
-        add_job(build_name(), "hits", sample.hits, queries);
-        add_job(build_name(), "misses", sample.misses, queries);
+        add_job(build_name(), "mixed", sample.mixed, brink_queries);
+        if (turning == Turning::none) add_job(build_name(), "mixed time_only", sample.mixed, brink_queries);
+        add_job(build_name(), "hits", sample.hits, brink_queries);
+        add_job(build_name(), "misses", sample.misses, brink_queries);
         if (!fcl_answers(sample, turning)) return;
         add_job("FCL", "mixed", sample.mixed, fcl_queries);
         for (const Body& body : sample.bodies)
