@@ -106,6 +106,8 @@ TEST_CASE("turning referee: finds planted wrong answers about contact at the sta
     apart.status = Status::separated;
     apart.t = 1;
     CHECK(says(rule(q, apart), "touching"));
+    Query deep{Ellipsoid{Vec3(1, 2, 3)}, q.motion_a, Cylinder{4, 4}, resting(), {}};
+    CHECK(says(rule(deep, apart), "touching"));
     q.options.start_contact = StartContact::ignore;
     CHECK(rule(q, apart).findings.empty());
     Toi touching = answer(q);

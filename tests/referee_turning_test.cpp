@@ -155,7 +155,14 @@ TEST_CASE("turning referee: the later contact of a pair that starts in contact")
     const Meeting m = meeting(q);
     CHECK(m.left);
     CHECK(bool(abs(m.left_by - (asin(Hundred(-0.25 / reach)) - start) / 4) < Hundred("1e-30")));
-    meets_at(q, (half_turn + asin(Hundred(0.25 / reach)) - start) / 4);
+    const Hundred t = (half_turn + asin(Hundred(0.25 / reach)) - start) / 4;
+    meets_at(q, t);
+    // The same by iteration: how deep it is at the start is then not known.
+    Query curved = q;
+    curved.a = Ellipsoid{Vec3(0.5, 0.5, 0.5)};
+    curved.b = Box{Vec3(8, 8, 1)};
+    curved.motion_b = resting(Vec3(0, 0, -1));
+    meets_at(curved, t);
     q.motion_a.rotation = Vec3(0, -3, 0);
     misses(q);
 }

@@ -73,9 +73,9 @@ Question::Over Question::over(double t, const Hundred& level) const
     const Bracket<long double> quick = coarse_.roughly(t, {}, near, share);
     const Hundred lower = Hundred(quick.lower - coarse_.blur()) - fine_.target();
     const Hundred upper = Hundred(quick.upper + coarse_.blur()) - fine_.target();
-    if (lower > level || upper <= level) return {lower, upper};
+    if (lower > level || upper <= level) return {lower, upper, !quick.depth_known};
     const Bracket<Hundred> gap = fine_.roughly(t, in_digits(quick), level + fine_.target(), share);
-    return {gap.lower - fine_.target(), gap.upper - fine_.target()};
+    return {gap.lower - fine_.target(), gap.upper - fine_.target(), !gap.depth_known};
 }
 
 Start Question::start() const
@@ -85,7 +85,8 @@ Start Question::start() const
     out.contact = at_0.upper <= 0;
     out.gap = at_0.upper;
     const Hundred slack = doubt * fine_.scale();
-    out.in_doubt = at_0.lower <= slack && at_0.upper >= -slack;
+    out.deep = at_0.deep;
+    out.in_doubt = !out.deep && at_0.lower <= slack && at_0.upper >= -slack;
     return out;
 }
 

@@ -10,6 +10,7 @@ namespace brink::support {
 struct Start {
     bool contact = false;  // gap(0) <= target_gap
     bool in_doubt = false; // by less than 1e-40 of the scale
+    bool deep = false;     // as in Question::Over
     Hundred gap = 0;       // gap(0) - target_gap
 };
 
@@ -40,6 +41,7 @@ public:
     /// not on the same side of `level`.
     struct Over {
         Hundred lower, upper;
+        bool deep = false; // the cores overlap, and how deep is not known: the bounds are those of touching
     };
     Over over(double t, const Hundred& level) const;
 

@@ -35,7 +35,7 @@ struct Case {
     }
 
     /// Rounding decides whether the pair starts in contact.
-    bool start_near() const { return abs(start.gap) <= rounding; }
+    bool start_near() const { return !start.deep && abs(start.gap) <= rounding; }
     bool answered() const { return toi.status == Status::hit || toi.status == Status::touching; }
 };
 

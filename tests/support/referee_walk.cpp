@@ -132,7 +132,10 @@ private:
     }
 
     /// Whether a bracket is too wide to step by.
-    bool loose(const Bracket<T>& gap) const { return gap.upper - gap.lower > over(out_.gap) / 4; }
+    bool loose(const Bracket<T>& gap) const
+    {
+        return gap.upper - gap.lower > std::max(over(out_.gap), over(gap)) / 4;
+    }
 
     /// How far along a step that ended in contact the line between the two gaps meets the level, and less.
     T share_of(const Bracket<T>& gap) const
