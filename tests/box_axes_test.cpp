@@ -64,7 +64,7 @@ TEST_CASE("box_witness: points of both boxes, and as near as the gap where the f
         const Core b = random_box(random, turn_b, load(random.in_cube(3)));
         const BoxAxis n = box_axis(a, b);
         if (!(n.gap > 0)) continue;
-        const Witness w = box_witness(a, b, n.index, n.normal);
+        const BoxWitness w = box_witness(a, b, n.index, n.normal);
         const V3 in_a = into(a.axes, w.point_a - a.centre), in_b = into(b.axes, w.point_a + w.v - b.centre);
         CAPTURE(i);
         for (const auto& [p, h] : {std::pair{in_a, a.half_extents}, std::pair{in_b, b.half_extents}}) {

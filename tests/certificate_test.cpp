@@ -116,7 +116,7 @@ TEST_CASE("safe_step: no gap opens into contact within a certified step, whateve
         const bool best_axis = random.chance(0.7);
         const V3 any = load(random.unit()), spin = any_spin(random, scene);
         const Sample s = sample(scene, t);
-        const Axis axis{best_axis ? scene.at(t).normal : any, spin};
+        const TurningAxis axis{best_axis ? scene.at(t).normal : any, spin};
         const double horizon = 1 - t;
         const Step step = safe_step(s.facing(), axis, horizon);
         if (!(step.gap > 1e-9)) continue;
@@ -147,7 +147,7 @@ TEST_CASE("rising_step: the gap stays at or above where it was")
         const Sample s = sample(scene, t);
         const Separation now = scene.at(t);
         const V3 spin = any_spin(random, scene);
-        const double step = rising_step(s.facing(), Axis{now.normal, spin}, 1 - t);
+        const double step = rising_step(s.facing(), TurningAxis{now.normal, spin}, 1 - t);
         if (step == 0) continue;
         CAPTURE(i);
         double least = infinity;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "advance.h"
 
-#include "depth.h"
+#include "contact_by.h"
 #include "leave.h"
 #include "sight.h"
 #include "support.h"
@@ -34,15 +34,12 @@ private:
     bool spent() const { return course_.iterations >= course_.options.max_iterations; }
     Separation measured();
     Separation contact() const;
-    V3 axis() const { return sight_.axis.normal == V3{} ? sight_.normal : sight_.axis.normal; }
     void look();
     void go_on(double t, const Step&);
     Step first_step() const;
     Step best_step() const;
     bool stale(const Step&);
     Toi hit();
-    double contact_by();
-    bool in_contact(double later);
     bool begins_in_contact(const Separation& start, const StartOracle&) const;
     Toi go_on_from(const Separation& start);
     Toi approach();
@@ -78,7 +75,7 @@ template <class Part> Step Advance<Part>::first_step() const
         const double gap = gap_along(f.a.part, f.b.part, sight_.normal) - f.margin;
         const double rate = closing_rate(f, sight_.normal);
         if (gap > 0 && rate * horizon() <= gap) return {gap, horizon(), 0};
-        const Step rest = safe_step(f, Axis{sight_.normal, {}}, horizon());
+        const Step rest = safe_step(f, TurningAxis{sight_.normal, {}}, horizon());
         if (rest.length > 0) return rest;
     }
     return best_step();
@@ -88,7 +85,7 @@ template <class Part> Step Advance<Part>::best_step() const
 {
     const Facing<Part>& f = course_.facing();
     Step best;
-    const auto attempt = [&](const Axis& axis) {
+    const auto attempt = [&](const TurningAxis& axis) {
         const Step s = safe_step(f, axis, horizon());
         if (s.length > best.length || (best.length == 0 && s.gap > best.gap)) best = s;
     };
@@ -98,10 +95,10 @@ template <class Part> Step Advance<Part>::best_step() const
         // Worse than the first order: the features mislead.
         if (!sight_.guessed && best.length * closing_rate(f, sight_.normal) >= best.gap && best.length > 0)
             return best;
-        attempt(Axis{sight_.normal, {}});
+        attempt(TurningAxis{sight_.normal, {}});
         if (!sight_.guessed) return best;
-        attempt(Axis{sight_.normal, f.a.rate});
-        attempt(Axis{sight_.normal, f.b.rate});
+        attempt(TurningAxis{sight_.normal, f.a.rate});
+        attempt(TurningAxis{sight_.normal, f.b.rate});
     }
     return best;
 }
@@ -167,7 +164,7 @@ template <class Part> Separation Advance<Part>::contact() const
 {
     if constexpr (std::is_same_v<Part, Core>) {
         const Core &a = course_.facing().a.part, &b = course_.facing().b.part;
-        const V3 n = axis();
+        const V3 n = sight_.best_normal();
         const bool round = !is_polytope(a) || !is_polytope(b);
         const double told = round ? tolerance::told * course_.tolerance : 0;
         const double apart = dot(sight_.v, n), rounding = std::max(tolerance::shown * course_.rounding, told);
@@ -185,51 +182,9 @@ template <class Part> Toi Advance<Part>::hit()
 {
     const bool told = course_.options.detail == Detail::contact;
     Toi toi = course_.answer(Status::hit, told ? contact() : Separation{});
-    toi.t_upper = contact_by();
+    toi.t_upper = contact_by(course_, watch_, sight_);
     toi.iterations = course_.iterations;
     return toi;
-}
-
-/// A time by which contact has begun for certain; infinity where that is not proven.
-template <class Part> double Advance<Part>::contact_by()
-{
-    const V3 n = axis();
-    const double closing = closing_speed(course_.facing(), Axis{n, sight_.axis.spin});
-    const double gap = std::max(0.0, dot(sight_.v, n) - course_.radii);
-    if (!(closing > 0)) return infinity;
-    for (const double deep : {8 * course_.rounding, 2 * course_.tolerance + 64 * course_.rounding}) {
-        const double later = std::min(course_.now() + 2 * (gap + deep) / closing, course_.options.t_max);
-        if (in_contact(later)) return later;
-    }
-    return infinity;
-}
-
-/// Whether the witness points, which go with their bodies, prove contact at a later time.
-template <class Part> bool Advance<Part>::in_contact(double later)
-{
-    if constexpr (std::is_same_v<Part, Border>) {
-        const double now = course_.now();
-        course_.go(later);
-        const double gap = course_.separated().gap;
-        course_.go(now);
-        return gap + course_.rounding <= course_.options.target_gap;
-    } else {
-        const Facing<Core>& f = course_.facing();
-        const auto at = course_.later(later);
-        const V3 a = at.turn_a * sight_.point_a;
-        const V3 b = at.turn_b * (sight_.point_a + sight_.v - f.b.pivot) + at.pivot_b;
-        if (course_.radii > 0) return norm(b - a) + course_.rounding <= course_.radii;
-        // Each body stays where it is, and the other's point goes where it will be beside it.
-        const V3 beside_b = into(at.turn_b, a - at.pivot_b) + f.b.pivot;
-        if (depth(f.b.part, beside_b) > course_.rounding ||
-            depth(f.a.part, into(at.turn_a, b)) > course_.rounding)
-            return true;
-        const double now = course_.now();
-        course_.go(later);
-        const bool proven = watch_.overlap(f, course_.rounding);
-        course_.go(now);
-        return proven;
-    }
 }
 
 template <class Part> Toi Advance<Part>::go_on_from(const Separation& start)

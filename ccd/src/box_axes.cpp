@@ -99,7 +99,7 @@ Edge edge_towards(const Core& c, int k, V3 d)
     return {from, corner(c, top | bit) - from};
 }
 
-Witness over_face(const Core& box, V3 point)
+BoxWitness over_face(const Core& box, V3 point)
 {
     const V3 v = box.axes * to_box(into(box.axes, point - box.centre), box.half_extents);
     return {point, v};
@@ -131,10 +131,10 @@ Feature feature_of_b(const Core& b, int index)
     return index < 6 ? Feature{face, axis(b, index - 3)} : Feature{edge, axis(b, (index - 6) % 3)};
 }
 
-Witness box_witness(const Core& a, const Core& b, int index, V3 normal)
+BoxWitness box_witness(const Core& a, const Core& b, int index, V3 normal)
 {
     if (index < 3) {
-        const Witness w = over_face(a, farthest(b, -normal).point);
+        const BoxWitness w = over_face(a, farthest(b, -normal).point);
         return {w.point_a + w.v, -w.v};
     }
     if (index < 6) return over_face(b, farthest(a, normal).point);

@@ -22,9 +22,9 @@ Feature feature_of_b(const Core& b, int index);
 
 /// Points of the two features that come nearest; with good luck of the boxes. Their distance bounds that of
 /// the boxes from above in any case.
-struct Witness {
+struct BoxWitness {
     V3 point_a, v; // v leads to a point of B
 };
-Witness box_witness(const Core& a, const Core& b, int index, V3 normal);
+BoxWitness box_witness(const Core& a, const Core& b, int index, V3 normal);
 
 } // namespace brink

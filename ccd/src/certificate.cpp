@@ -91,7 +91,7 @@ struct Bend {
 };
 
 template <class Part>
-[[gnu::always_inline]] inline Bend bend(const Posed<Part>& body, const Axis& n, double spin)
+[[gnu::always_inline]] inline Bend bend(const Posed<Part>& body, const TurningAxis& n, double spin)
 {
     const V3 relative = body.rate - n.spin;
     if (relative == V3{}) return {}; // the axis is glued to it
@@ -112,7 +112,7 @@ template <class Part>
 /// numerics.md.
 template <class Part> class Bound {
 public:
-    Bound(const Facing<Part>& f, const Axis& axis, double horizon)
+    Bound(const Facing<Part>& f, const TurningAxis& axis, double horizon)
         : f_(f),
           axis_(axis),
           a_(f.a, axis.normal, cross(axis.normal, f.a.rate - axis.spin)),
@@ -182,7 +182,7 @@ private:
     }
 
     const Facing<Part>& f_;
-    const Axis& axis_;
+    const TurningAxis& axis_;
     Shadow a_;
     ShadowOf<Part> b_;
     V3 drift_;
@@ -193,7 +193,7 @@ private:
 
 } // namespace
 
-template <class Part> Step safe_step(const Facing<Part>& f, const Axis& axis, double horizon)
+template <class Part> Step safe_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
     const Bound<Part> bound(f, axis, horizon);
     Step step{bound.now().value, 0, 0};
@@ -205,7 +205,7 @@ template <class Part> Step safe_step(const Facing<Part>& f, const Axis& axis, do
     return step;
 }
 
-template <class Part> double rising_step(const Facing<Part>& f, const Axis& axis, double horizon)
+template <class Part> double rising_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
     const Bound<Part> bound(f, axis, horizon);
     const double level = bound.now().value;
@@ -215,7 +215,7 @@ template <class Part> double rising_step(const Facing<Part>& f, const Axis& axis
     return bound.at(half, bound.piece(half)) >= level ? half : 0;
 }
 
-template <class Part> double closing_speed(const Facing<Part>& f, const Axis& axis)
+template <class Part> double closing_speed(const Facing<Part>& f, const TurningAxis& axis)
 {
     const Piece a = Shadow(f.a, axis.normal, cross(axis.normal, f.a.rate - axis.spin)).extreme(0, 1);
     const Piece b = ShadowOf<Part>(f.b, axis.normal, cross(axis.normal, f.b.rate - axis.spin)).extreme(0, -1);
@@ -229,11 +229,11 @@ double closing_rate(const Facing<Core>& f, V3 axis)
            dot(axis, f.velocity);
 }
 
-template Step safe_step(const Facing<Core>&, const Axis&, double);
-template Step safe_step(const Facing<Border>&, const Axis&, double);
-template double closing_speed(const Facing<Core>&, const Axis&);
-template double closing_speed(const Facing<Border>&, const Axis&);
-template double rising_step(const Facing<Core>&, const Axis&, double);
-template double rising_step(const Facing<Border>&, const Axis&, double);
+template Step safe_step(const Facing<Core>&, const TurningAxis&, double);
+template Step safe_step(const Facing<Border>&, const TurningAxis&, double);
+template double closing_speed(const Facing<Core>&, const TurningAxis&);
+template double closing_speed(const Facing<Border>&, const TurningAxis&);
+template double rising_step(const Facing<Core>&, const TurningAxis&, double);
+template double rising_step(const Facing<Border>&, const TurningAxis&, double);
 
 } // namespace brink

@@ -24,7 +24,7 @@ template <class Part> struct Facing {
 
 /// An axis between two bodies, and how fast it is to turn. Every unit axis, however found, and every rate
 /// give a valid bound; good ones give long steps.
-struct Axis {
+struct TurningAxis {
     V3 normal; // unit, from A towards B
     V3 spin;   // radians per step
 };
@@ -37,13 +37,13 @@ struct Step {
 };
 
 /// The step that an axis proves from here; no longer than the horizon. Nothing where the gap is not positive.
-template <class Part> Step safe_step(const Facing<Part>&, const Axis&, double horizon);
+template <class Part> Step safe_step(const Facing<Part>&, const TurningAxis&, double horizon);
 
 /// The time over which the gap along an axis is proven not to fall below its value now.
-template <class Part> double rising_step(const Facing<Part>&, const Axis&, double horizon);
+template <class Part> double rising_step(const Facing<Part>&, const TurningAxis&, double horizon);
 
 /// How fast the gap along an axis closes now; negative where it opens.
-template <class Part> double closing_speed(const Facing<Part>&, const Axis&);
+template <class Part> double closing_speed(const Facing<Part>&, const TurningAxis&);
 
 /// How fast the gap can close at most, as far as the two supporting planes at right angles to a fixed axis
 /// tell, at any time; may be negative.

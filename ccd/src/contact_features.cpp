@@ -21,7 +21,7 @@ V3 facing(V3 n, V3 v)
 
 /// The common normal of two edges of bodies that turn with w_a and w_b: a normal at right angles to an edge e
 /// that turns with w changes by eta with eta . e = -n . (w x e).
-Axis between_edges(V3 e, V3 rate_a, V3 g, V3 rate_b, V3 v, V3 towards)
+TurningAxis between_edges(V3 e, V3 rate_a, V3 g, V3 rate_b, V3 v, V3 towards)
 {
     const double cosine = dot(e, g), rest = 1 - cosine * cosine;
     if (rest < tolerance::nearly_parallel) return {facing(across(v, e), v), rate_a};
@@ -31,7 +31,7 @@ Axis between_edges(V3 e, V3 rate_a, V3 g, V3 rate_b, V3 v, V3 towards)
     return {n, cross(n, eta)};
 }
 
-Axis over_edge(V3 e, V3 rate, V3 v)
+TurningAxis over_edge(V3 e, V3 rate, V3 v)
 {
     const V3 n = facing(across(v, e), v);
     return {n, -dot(n, cross(rate, e)) * cross(n, e)};
@@ -60,7 +60,7 @@ Feature feature(const Core& c, int count, const int* corners)
 
 } // namespace
 
-Axis axis_between(const Feature& a, V3 rate_a, const Feature& b, V3 rate_b, V3 v, V3 towards)
+TurningAxis axis_between(const Feature& a, V3 rate_a, const Feature& b, V3 rate_b, V3 v, V3 towards)
 {
     if (a.kind == face) return {facing(a.along, towards), rate_a};
     if (b.kind == face) return {facing(b.along, towards), rate_b};

@@ -17,7 +17,7 @@ struct Feature {
 /// face; following the common normal of two edges; staying at right angles to an edge and over a corner; at
 /// rest between two corners. `v` leads from a point of one feature to one of the other; `towards` tells the
 /// sense of a normal that has none. Zero where the features give no axis.
-Axis axis_between(const Feature& a, V3 rate_a, const Feature& b, V3 rate_b, V3 v, V3 towards);
+TurningAxis axis_between(const Feature& a, V3 rate_a, const Feature& b, V3 rate_b, V3 v, V3 towards);
 
 /// The corners of two polytopes that GJK's simplex names, wherever the bodies have gone since.
 class Corners {

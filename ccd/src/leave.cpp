@@ -43,9 +43,10 @@ Edges edges_across(const Core& body, V3 axis)
 /// and following the edges that touch.
 double rising(const Facing<Core>& f, V3 normal, double horizon)
 {
-    double h = rising_step(f, Axis{normal, {}}, horizon);
+    double h = rising_step(f, TurningAxis{normal, {}}, horizon);
     const auto better = [&](V3 spin) {
-        if (!(spin == V3{}) && h < horizon) h = std::max(h, rising_step(f, Axis{normal, spin}, horizon));
+        if (!(spin == V3{}) && h < horizon)
+            h = std::max(h, rising_step(f, TurningAxis{normal, spin}, horizon));
     };
     better(f.a.rate);
     better(f.b.rate);
@@ -59,7 +60,7 @@ double rising(const Facing<Core>& f, V3 normal, double horizon)
 }
 double rising(const Facing<Border>& f, V3 normal, double horizon)
 {
-    return rising_step(f, Axis{normal, f.b.rate}, horizon);
+    return rising_step(f, TurningAxis{normal, f.b.rate}, horizon);
 }
 
 /// Whether the gap is proven not to decrease as two bodies translate: its rate is more than rounding, or zero

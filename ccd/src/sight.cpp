@@ -194,7 +194,7 @@ Sight Watch::follow(const Facing<Core>& f) const
 void Watch::land(const Facing<Core>& f, Sight& s) const
 {
     if (method_ == Method::boxes) {
-        const Witness w = box_witness(f.a.part, f.b.part, box_index_, s.axis.normal);
+        const BoxWitness w = box_witness(f.a.part, f.b.part, box_index_, s.axis.normal);
         s.point_a = w.point_a;
         s.v = w.v;
     } else {

@@ -9,11 +9,13 @@ namespace brink {
 
 /// What a look at two bodies shows.
 struct Sight {
-    Axis axis;               // as their features ask for; zero where they ask for none
+    TurningAxis axis;        // as their features ask for; zero where they ask for none
     V3 normal;               // the axis of the distance itself; zero where none was found
     bool guessed = false;    // the axis' spin is a guess: other ones may do better
     double upper = infinity; // a distance between points of the cores, radii left out, where one was taken
     V3 point_a, v;           // those points: v leads from A's to B's
+
+    V3 best_normal() const { return axis.normal == V3{} ? normal : axis.normal; }
 };
 
 /// Looks at two bounded bodies as they move on, each in the cheapest way that serves.
