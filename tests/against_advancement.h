@@ -32,7 +32,8 @@ inline Toi advancement(const support::Query& q)
         using B = std::decay_t<decltype(b)>;
         constexpr bool bounded = !std::is_same_v<A, Plane> && !std::is_same_v<A, HalfSpace>;
         if constexpr (bounded && (!std::is_same_v<B, Plane> || !std::is_same_v<B, HalfSpace>))
-            return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options);
+            return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options,
+                                         {{q.a, q.motion_a, q.b, q.motion_b, q.options}});
         return {};
     };
     return std::visit(solve, q.a, q.b);

@@ -33,7 +33,7 @@ private:
     double horizon() const { return course_.window.end - course_.now(); }
     bool spent() const { return course_.iterations >= course_.options.max_iterations; }
     Separation measured();
-    Separation contact() const;
+    Separation contact();
     void look();
     void go_on(double t, const Step&);
     Step first_step() const;
@@ -159,20 +159,31 @@ template <class Part> Toi Advance<Part>::approach_anew()
     return approach();
 }
 
-/// The contact that the last look shows, where its axis proves what its points say; else another look.
-template <class Part> Separation Advance<Part>::contact() const
+/// The contact that a look shows, where its axis proves what its points say up to `doubt`.
+std::optional<Separation> shown(const Sight& sight, const Facing<Core>& f, double doubt)
+{
+    const Core &a = f.a.part, &b = f.b.part;
+    const V3 n = sight.best_normal();
+    const double apart = dot(sight.v, n);
+    if (!(sight.upper < infinity) || !(norm(sight.v - apart * n) <= doubt) ||
+        !(apart - gap_along(a, b, n) <= doubt))
+        return {};
+    const double gap = apart - (a.radius + b.radius);
+    const V3 point_a = sight.point_a + a.radius * n;
+    return Separation{gap, gap, n, point_a, point_a + gap * n};
+}
+
+/// The contact here: from the last look, a closer one, or all over.
+template <class Part> Separation Advance<Part>::contact()
 {
     if constexpr (std::is_same_v<Part, Core>) {
-        const Core &a = course_.facing().a.part, &b = course_.facing().b.part;
-        const V3 n = sight_.best_normal();
-        const bool round = !is_polytope(a) || !is_polytope(b);
-        const double told = round ? tolerance::told * course_.tolerance : 0;
-        const double apart = dot(sight_.v, n), rounding = std::max(tolerance::shown * course_.rounding, told);
-        if (sight_.upper < infinity && norm(sight_.v - apart * n) <= rounding &&
-            apart - gap_along(a, b, n) <= rounding) {
-            const double gap = apart - (a.radius + b.radius);
-            const V3 point_a = sight_.point_a + a.radius * n;
-            return {gap, gap, n, point_a, point_a + gap * n};
+        const Facing<Core>& f = course_.facing();
+        const double doubt = tolerance::shown * course_.rounding;
+        if (const auto s = shown(sight_, f, doubt)) return *s;
+        if (!is_polytope(f.a.part) || !is_polytope(f.b.part)) {
+            const Sight close = watch_.look_closely(f);
+            if (const auto s = shown(close, f, std::max(doubt, tolerance::told * course_.tolerance)))
+                return *s;
         }
     }
     return course_.separated();
@@ -206,14 +217,16 @@ template <class Part> Toi Advance<Part>::run(const StartOracle& oracle)
     return begins_in_contact(start, oracle) ? from_contact() : go_on_from(start);
 }
 
-/// Late is worse than early: in doubt it is contact.
+/// In doubt it is contact where contact is to be reported, and else a near miss, which approaching makes a
+/// hit: late is worse than early.
 template <class Part>
 bool Advance<Part>::begins_in_contact(const Separation& start, const StartOracle& oracle) const
 {
     const double gap = start.gap - course_.options.target_gap;
+    const double doubt = tolerance::shown * course_.rounding;
     if (oracle.in_contact != nullptr && std::fabs(gap) <= course_.rounding)
         return oracle.in_contact(oracle.query);
-    return gap <= tolerance::shown * course_.rounding;
+    return gap <= (course_.options.start_contact == StartContact::report ? doubt : -doubt);
 }
 
 template <class Part> Toi Advance<Part>::from_contact()

@@ -74,9 +74,11 @@ bool parting(V3 normal, V3 velocity)
 
 template <class Part> class Leaving {
 public:
-    Leaving(Course<Part>& course, const Separation& now)
+    enum class Start : unsigned char { in_contact, near_contact };
+    Leaving(Course<Part>& course, const Separation& now, Start start)
         : course_(course),
           now_(now),
+          apart_(start == Start::near_contact),
           start_(course.answer(Status::touching, now)),
           blind_(course.options.start_contact == StartContact::ignore)
     {
@@ -101,6 +103,7 @@ private:
 
     Course<Part>& course_;
     Separation now_;
+    bool apart_; // has been beyond the target gap, as far as can be told
     Toi start_;
     bool blind_; // the way out of contact need not be proven
 };
@@ -140,20 +143,19 @@ template <class Part> double Leaving<Part>::step_in_contact() const
 template <class Part> std::optional<Toi> Leaving<Part>::run()
 {
     const double t_max = course_.options.t_max, tolerance = course_.tolerance;
-    bool apart = false;
     while (gap() <= tolerance) {
-        apart = apart || gap() > 0;
-        const bool deep = blind_ && gap() < -tolerance;
+        apart_ = apart_ || gap() > 0;
+        const bool deep = blind_ && !apart_ && gap() < -tolerance;
         double step = deep ? step_in_contact() : step_away();
         if (step == 0) {
-            if (apart) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
+            if (apart_) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
             if (!blind_) return touching();
             step = step_in_contact();
         }
         const std::optional<Toi> end = move(step, blind_ ? t_max : 1);
         if (!end) continue;
-        if (apart && end->t > t_max) return course_.apart();
-        return end->status == Status::separated || blind_ || apart ? end : touching();
+        if (apart_ && end->t > t_max) return course_.apart();
+        return end->status == Status::separated || blind_ || apart_ ? end : touching();
     }
     return beyond();
 }
@@ -162,14 +164,14 @@ template <class Part> std::optional<Toi> Leaving<Part>::run()
 
 template <class Part> std::optional<Toi> leave(Course<Part>& course, const Separation& now)
 {
-    return Leaving<Part>(course, now).run();
+    return Leaving<Part>(course, now, Leaving<Part>::Start::near_contact).run();
 }
 
 template <class Part> std::optional<Toi> leave_contact(Course<Part>& course, const Separation& now)
 {
     const StartContact wish = course.options.start_contact;
     if (wish == StartContact::report) return course.answer(Status::touching, now);
-    if (!course.translates()) return leave(course, now);
+    if (!course.translates()) return Leaving<Part>(course, now, Leaving<Part>::Start::in_contact).run();
     // Convex bodies that only translate have a convex gap over time: once it does not fall it never does.
     if (wish == StartContact::ignore || parting(now.normal, course.facing().velocity)) return course.apart();
     return course.answer(Status::touching, now);

@@ -7,12 +7,12 @@
 
 namespace brink {
 
-/// From a start in contact, or within the tolerance of it, to where the gap exceeds the tolerance, as the
-/// options' start_contact says. An answer where that ends the query; else the course stands at a time from
-/// which the way to the next contact begins.
+/// From a start not in contact but within the tolerance of it, or so near that rounding cannot tell, to where
+/// the gap exceeds the tolerance: a hit unless it is proven not to decrease. An answer where that ends the
+/// query; else the course stands at a time from which the way to the next contact begins.
 template <class Part> std::optional<Toi> leave(Course<Part>&, const Separation& now);
 
-/// The answer for a start proven in contact, where that ends the query.
+/// The same from a start in contact, as the options' start_contact says.
 template <class Part> std::optional<Toi> leave_contact(Course<Part>&, const Separation& now);
 
 } // namespace brink

@@ -3,6 +3,7 @@
 
 #include "nearest.h"
 #include "support.h"
+#include "tolerance.h"
 
 namespace brink {
 
@@ -120,7 +121,7 @@ Sight Watch::look(const Facing<Core>& f)
     case Method::any:
         break;
     }
-    return look_by_gjk(f);
+    return look_by_gjk(f, is_polytope(f.a.part) && is_polytope(f.b.part) ? 0 : tolerance::near_enough);
 }
 
 Sight Watch::look_at_boxes(const Facing<Core>& f)
@@ -134,18 +135,19 @@ Sight Watch::look_at_boxes(const Facing<Core>& f)
     land(f, s);
     if (s.upper <= nearby_) return s;
     method_ = Method::any; // past the ends of both features: no separating axis shows that distance
-    return look_by_gjk(f);
+    return look_by_gjk(f, is_polytope(f.a.part) && is_polytope(f.b.part) ? 0 : tolerance::near_enough);
 }
 
-Sight Watch::look_by_gjk(const Facing<Core>& f)
+Sight Watch::look_closely(const Facing<Core>& f) { return look_by_gjk(f, 0); }
+
+Sight Watch::look_by_gjk(const Facing<Core>& f, double relative)
 {
     const Core &a = f.a.part, &b = f.b.part;
     const double scale = f.a.reach + f.b.reach + norm(f.b.pivot);
     const Simplex start = corners_.known()   ? corners_.simplex(a, b)
                           : towards_ == V3{} ? Simplex{}
                                              : towards(a, b, towards_);
-    const bool smooth = a.count == 0 || b.count == 0;
-    const Nearness near{tolerance::tight * scale, smooth ? 1e-4 : 1e-12, f.margin};
+    const Nearness near{tolerance::tight * scale, relative, f.margin};
     Closest c = gjk(a, b, near, start);
     // Rounding may close a flat simplex over the origin: the last axis knows whether they are apart.
     if (c.inside && gap_along(a, b, towards_) > 0) c = gjk(a, b, near, towards(a, b, towards_));

@@ -26,6 +26,8 @@ public:
 
     /// An evaluation of the distance.
     Sight look(const Facing<Core>&);
+    /// The same as nearly as GJK tells it.
+    Sight look_closely(const Facing<Core>&);
     /// The same by the longest way, which nothing can lead astray.
     static Sight look_hard(const Facing<Core>&);
     /// Whether the features last seen can be followed without an evaluation.
@@ -42,7 +44,7 @@ private:
     enum class Method : unsigned char { segments, point_box, box_point, boxes, any };
     static Method method(const Core& a, const Core& b);
     Sight look_at_boxes(const Facing<Core>&);
-    Sight look_by_gjk(const Facing<Core>&);
+    Sight look_by_gjk(const Facing<Core>&, double relative);
 
     Method method_;
     double nearby_;

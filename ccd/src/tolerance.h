@@ -100,7 +100,11 @@ inline constexpr double much_curved = 0.02;
 /// the lengths): the same that distance() asks of itself.
 inline constexpr double shown = 0.125;
 
-/// The same for curved surfaces, as a part of the tolerance.
+/// On the way to contact the distance of curved surfaces is looked at to this part of what it exceeds contact
+/// by: a step is that much shorter than it could be.
+inline constexpr double near_enough = 1e-4;
+
+/// How near the bounds of a gap of curved surfaces must come in an answer, as a part of the tolerance.
 inline constexpr double told = 0x1p-10;
 
 /// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
