@@ -85,8 +85,8 @@ Findings by_digits(Tally& tally, Case& c)
     if (toi.status == Status::undecided && contact.grazes) ++tally.excused;
     if (toi.status == Status::undecided && !contact.grazes && !contact.spent)
         findings.push_back(
-            {"undecided, not grazing", fmt::format("least gap - target {:.3g}, closing {:.3g} per step",
-                                                   contact.least_gap, contact.closing_speed)});
+            {std::string(guilty), fmt::format("least gap - target {:.3g}, closing {:.3g} per step",
+                                              contact.least_gap, contact.closing_speed)});
     const bool timed = toi.status == Status::hit && contact.meets && !contact.in_doubt && !contact.grazes;
     if (timed) tally.add_early(q.options.tolerance, contact.early);
     return findings;

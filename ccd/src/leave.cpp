@@ -125,8 +125,9 @@ template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double
 /// so that poses are looked at often enough to see it fall again.
 template <class Part> double Leaving<Part>::step_away() const
 {
-    const double least = course_.tolerance / course_.fastest, shallow = 0.25 * -gap() / course_.fastest;
-    const double way = rising(course_.facing(), now_.normal, course_.window.end - course_.now());
+    const double shallow = 0.25 * -gap() / course_.fastest, left = course_.window.end - course_.now();
+    const double least = std::min(course_.tolerance / course_.fastest, tolerance::small_part * left);
+    const double way = rising(course_.facing(), now_.normal, left);
     if (!(way >= least)) return 0;
     return gap() < -course_.tolerance ? std::min(way, shallow) : way;
 }

@@ -59,7 +59,7 @@ public:
     BorderWatch(const Core&, const Border&, double) {}
     static Sight look(const Facing<Border>&);
     static Sight look_hard(const Facing<Border>& f) { return look(f); }
-    static bool can_follow() { return false; }
+    static bool can_follow() { return true; }
     static Sight follow(const Facing<Border>& f) { return look(f); }
     static void land(const Facing<Border>&, const Sight&) {}
 };

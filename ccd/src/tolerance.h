@@ -105,7 +105,7 @@ inline constexpr double shown = 0.125;
 inline constexpr double near_enough = 1e-4;
 
 /// How near the bounds of a gap of curved surfaces must come in an answer, as a part of the tolerance.
-inline constexpr double told = 0x1p-10;
+inline constexpr double told = 0x1p-6;
 
 /// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
 inline constexpr int most_followed = 12;
@@ -113,6 +113,9 @@ inline constexpr int most_followed = 12;
 /// How flat in a supporting plane an edge lies that may be touching (sine of the angle): a guess, which no
 /// answer's validity rests on.
 inline constexpr double flat_edge = 1e-3;
+
+/// A part of the time left that is worth a step even where it takes nothing beyond the tolerance.
+inline constexpr double small_part = 0x1p-10;
 
 /// The part of the time left below which a step is no step: more axes are tried, and nothing rests on it.
 inline constexpr double standstill = 1e-9;

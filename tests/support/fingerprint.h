@@ -27,6 +27,6 @@ Query mixed_query(std::uint64_t index);
 Fingerprint fingerprint(std::uint64_t from, std::uint64_t to, Fingerprint so_far = {});
 
 /// How far to ask: the program and the test stop at each.
-inline constexpr std::array<std::uint64_t, 2> checkpoints{100'000, 1'000'000};
+inline constexpr std::array<std::uint64_t, 2> checkpoints{20'000, 1'000'000};
 
 } // namespace brink::support

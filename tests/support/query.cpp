@@ -113,6 +113,12 @@ Query draw_query(Random& random, const Pair& pair, bool rotates, Twist twist)
 
 Toi answer(const Query& q) { return time_of_impact(q.a, q.motion_a, q.b, q.motion_b, q.options); }
 
+bool curved(const Shape& shape)
+{
+    return std::holds_alternative<Cylinder>(shape) || std::holds_alternative<Cone>(shape) ||
+           std::holds_alternative<Ellipsoid>(shape);
+}
+
 std::string Pair::name() const
 {
     return std::string(shape_names[first]) + "-" + std::string(shape_names[second]);
@@ -151,7 +157,8 @@ std::optional<Pair> pair_named(std::string_view name)
 
 Query query(const Pair& pair, Family family, std::uint64_t seed, std::uint64_t index)
 {
-    const std::uint64_t later = pair.second < 6 ? 0 : std::uint64_t{1} << 40U; // other streams than those of seeds
+    const std::uint64_t later =
+        pair.second < 6 ? 0 : std::uint64_t{1} << 40U; // other streams than those of seeds
     Random random(seed * 64 + pair.first * 8 + pair.second + later, index);
     const bool turning = random.chance(pair.closed_form() ? 0.1 : 0.5);
     const bool rotates = family == Family::rotation || (family == Family::any && turning);

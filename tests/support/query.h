@@ -27,6 +27,9 @@ Toi answer(const Query&);
 inline constexpr std::array<std::string_view, std::variant_size_v<Shape>> shape_names{
     "sphere", "capsule", "box", "triangle", "plane", "half_space", "cylinder", "cone", "ellipsoid", "hull"};
 
+/// Whether a shape has a curved surface beyond a radius: cylinder, cone or ellipsoid.
+bool curved(const Shape&);
+
 /// Two shapes by their index in the variant, first <= second.
 struct Pair {
     std::size_t first = 0;

@@ -61,7 +61,12 @@ Findings judge_contact(const Query& q, const Toi& toi, const Question& question)
     const Placement<Real> a = pair.a().at(toi.t);
     const Placement<Real> b = pair.b().at(toi.t);
     const Bracket<Real> truth = bracket(a, b, Effort<Real>{pair.enough()});
-    const Real close = 4 * 16 * eps * pair.scale();
+    const Real exact = 4 * 16 * eps * pair.scale();
+    // What toi.h promises of curved shapes.
+    const bool round = curved(q.a) || curved(q.b);
+    const Real told = static_cast<Real>(q.options.tolerance) / 32;
+    const auto up_to = [&](Real part) { return round ? std::max(told, part * pair.scale()) + exact : exact; };
+    const Real close = up_to(0x1p-30L), near = up_to(0x1p-20L);
     const Real radii = a.solid->radius + b.solid->radius;
     Findings out;
     const bool high = toi.gap > truth.upper + close;
@@ -80,10 +85,10 @@ Findings judge_contact(const Query& q, const Toi& toi, const Question& question)
     const Vector<Real> point_b = pair.from_world(toi.point_b, toi.t);
     const Real world = static_cast<Real>(toi.point_a.norm() + toi.point_b.norm());
     const Real most = std::max(off(a, point_a, pair.enough()), off(b, point_b, pair.enough()));
-    if (!(most <= close + 32 * eps * world))
+    if (!(most <= near + 32 * eps * world))
         out.push_back({"points", fmt::format("off the shapes by {:.3g}", shown(most))});
     const Real apart = norm(point_b - point_a - static_cast<Real>(toi.gap) * n);
-    if (directed && !(apart <= close + 32 * eps * world))
+    if (directed && !(apart <= exact + 32 * eps * world))
         out.push_back(
             {"points", fmt::format("point_b - point_a is off gap * normal by {:.3g}", shown(apart))});
     return out;

@@ -37,7 +37,9 @@ struct Toi {
     Status status = Status::invalid;
     double t = 0;
     double t_upper = infinity; // contact is proven to have begun by then; infinite where that is not proven
-    /// At t, for touching, hit and undecided; a pair that is separated has none of the following.
+    /// At t, for touching, hit and undecided; a pair that is separated has none of the following. Up to
+    /// rounding; where a cylinder, cone or ellipsoid takes part, gap and points to a 32nd of the tolerance,
+    /// or gap to 2^-30 and points to 2^-20 of all lengths.
     Vec3 normal{0, 0, 0};  // unit, world, from A towards B; zero only where none is defined
     Vec3 point_a{0, 0, 0}; // on A, world
     Vec3 point_b{0, 0, 0}; // on B, world: point_b - point_a = gap * normal
@@ -47,10 +49,12 @@ struct Toi {
 
 /// First time in [0, t_max] at which the gap between the two moving shapes is at most target_gap.
 ///
-/// Where only translation matters and the pair has a closed form (README, "Pairs"), hit or miss is the exact
+/// Where only translation matters and the pair is `exact` (README, "Pairs"), hit or miss is the exact
 /// answer for the doubles given, whatever their magnitude, and t_upper is finite; a hit with an infinite
 /// t_upper says that even exact arithmetic could not hold the numbers (quaternion components that differ by
-/// 1e100 or more). Never throws, allocates or prints; what is not a number or out of range is answered
+/// 1e100 or more). All other decisions are certified: what rounding leaves in doubt is a hit within the
+/// tolerance, or undecided. Two curved shapes at a tolerance below 1e-12 of their size may be undecided at
+/// contact itself. Never throws, allocates or prints; what is not a number or out of range is answered
 /// `invalid`.
 Toi time_of_impact(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
                    const Options& options = {});
