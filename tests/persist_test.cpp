@@ -71,7 +71,7 @@ TEST_CASE("contact_step: solid cores stay in contact, whatever they do")
 {
     Random random(51);
     Tally tally;
-    for (int i = 0; i < 30'000; ++i) {
+    for (int i = 0; i < 8'000; ++i) {
         const double x = random.between(0.1, 1), y = random.between(0.1, 1), z = random.between(0.1, 1);
         const Box box{Vec3(x, y, z)};
         const Cylinder cylinder{x, y};
@@ -88,15 +88,15 @@ TEST_CASE("contact_step: solid cores stay in contact, whatever they do")
         const Scene<Core> scene{moving, other};
         if (scene.at(t).gap < 0) check_lasting(scene, t, 0, 0, tally);
     }
-    CHECK(tally.lasting > 5'000);
-    CHECK(tally.to_the_end < tally.lasting - 1'000);
+    CHECK(tally.lasting > 1'200);
+    CHECK(tally.to_the_end < tally.lasting - 200);
 }
 
 TEST_CASE("contact_step: radii and a target gap count")
 {
     Random random(52);
     Tally tally;
-    for (int i = 0; i < 30'000; ++i) {
+    for (int i = 0; i < 8'000; ++i) {
         const double radius = random.between(0.1, 0.5), gap = random.between(0, 0.5);
         const Vec3 end = random.in_cube(1), other_end = random.in_cube(1);
         const Capsule a{-end, end, radius}, b{-other_end, other_end, radius};
@@ -106,14 +106,14 @@ TEST_CASE("contact_step: radii and a target gap count")
         const Scene<Core> scene{mover(a, motion_a), mover(b, motion_b)};
         if (scene.at(t).gap < gap) check_lasting(scene, t, 2 * radius + gap, gap, tally);
     }
-    CHECK(tally.lasting > 8'000);
+    CHECK(tally.lasting > 2'000);
 }
 
 TEST_CASE("contact_step: planes and half-spaces")
 {
     Random random(53);
     Tally tally;
-    for (int i = 0; i < 30'000; ++i) {
+    for (int i = 0; i < 8'000; ++i) {
         const double x = random.between(0.1, 1), y = random.between(0.1, 1), z = random.between(0.1, 1);
         const Box box{Vec3(x, y, z)};
         const Vec3 normal = random.unit();
@@ -125,6 +125,6 @@ TEST_CASE("contact_step: planes and half-spaces")
         const Scene<Border> scene{mover(box, motion_a), border};
         if (scene.at(t).gap < 0) check_lasting(scene, t, 0, 0, tally);
     }
-    CHECK(tally.lasting > 8'000);
-    CHECK(tally.to_the_end < tally.lasting - 1'000);
+    CHECK(tally.lasting > 2'000);
+    CHECK(tally.to_the_end < tally.lasting - 200);
 }

@@ -149,10 +149,10 @@ void check(const Tally& tally)
 
 TEST_CASE("scaling: translation, every length times a power of two, the same bits")
 {
-    check(ask(Family::translation, 1200));
+    check(ask(Family::translation, 500));
 }
 
 TEST_CASE("scaling: rotation, every length times a power of two, the same bits")
 {
-    check(ask(Family::rotation, 1200));
+    check(ask(Family::rotation, 400));
 }
