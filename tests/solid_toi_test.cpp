@@ -65,5 +65,6 @@ TEST_CASE("time_of_impact: cylinders, cones, ellipsoids and hulls against every 
     }
     CHECK(hits > asked / 5);
     CHECK(separated > asked / 5);
+    CHECK(touching > asked / 20);
     CHECK(undecided < asked / 1000);
 }
