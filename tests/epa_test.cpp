@@ -91,7 +91,7 @@ TEST_CASE("epa: no direction gives less depth, cylinders, cones, ellipsoids and 
         CHECK(p.gap >= p.lower);
         const double truth = best_gap(cores.random, a, b, p.normal);
         CHECK(p.lower <= truth);
-        CHECK(truth - p.lower <= 1e-4 * scale);
+        CHECK(truth - p.lower <= 1e-3 * scale);
         loose += truth - p.lower > 1e-9 * scale; // the room ran out, or long cylinders lie side by side
         ++overlapping;
         deep += p.lower < -0.01;

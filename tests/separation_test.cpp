@@ -18,8 +18,8 @@ Core triangle(V3 a, V3 b, V3 c) { return core(Triangle{store(a), store(b), store
 Core at(Core c, V3 position) { return placed(c, {}, position); }
 Core scaled(Core c, double factor)
 {
-    for (int k = 0; k < c.count; ++k)
-        c.points[k] = factor * c.points[k];
+    for (V3& point : c.points)
+        point = factor * point;
     c.centre = factor * c.centre;
     c.half_extents = factor * c.half_extents;
     c.radius *= factor;
