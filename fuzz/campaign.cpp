@@ -193,6 +193,7 @@ Outcome run(const Plan& plan)
     for (int i = 0; i < plan.threads; ++i)
         threads.emplace_back([&] {
             queue.work_until_done();
+            forget_digits();
             --working;
         });
     while (working > 0) {

@@ -73,6 +73,8 @@ std::string truth_in_words(const support::Query& q)
                m.spent ? ", gave up" : "");
 }
 
+void forget_digits() { mpfr_free_cache(); }
+
 #else
 
 bool judgeable(const support::Query&) { return false; }
@@ -80,6 +82,7 @@ Ruled ruled(const support::Query&, const Toi&) { return {}; }
 FirstContact first_contact(const support::Query&, const Toi&) { return {}; }
 support::Findings verified(const support::Query&, const Toi&) { return {}; }
 std::string truth_in_words(const support::Query&) { return {}; }
+void forget_digits() {}
 
 #endif
 

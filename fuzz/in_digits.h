@@ -36,4 +36,7 @@ support::Findings verified(const support::Query&, const Toi&);
 /// A line or two: contact, least gap and closing speed as they are.
 std::string truth_in_words(const support::Query&);
 
+/// Gives back what the digits keep for a thread, at its end.
+void forget_digits();
+
 } // namespace brink::fuzz

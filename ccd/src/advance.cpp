@@ -242,7 +242,7 @@ template <class Part> std::optional<Toi> Advance<Part>::from_proven_contact()
     course_.go(0);
     const Separation start = measured();
     if (!(start.gap - course_.options.target_gap < -course_.rounding)) return {};
-    if (const std::optional<Toi> end = leave_contact(course_, start)) return end;
+    if (const std::optional<Toi> end = leave_contact(course_, start)) return *end;
     return approach_anew();
 }
 

@@ -188,7 +188,9 @@ Entry Cast::surface(V3 n, const Crossing& c) const
     }
     const V3 met = m_.from + at + on_a, gap = between - at;
     if (!inside && norm(gap) > tolerance::loose_axis * reach_.slack) return {.t = c.t};
-    return {Found::hit, c.t, inside ? c.t_upper : infinity, Meeting{met, met + gap, -n, true}};
+    Entry entry{Found::hit, c.t, infinity, Meeting{met, met + gap, -n, true}};
+    if (inside) entry.t_upper = c.t_upper;
+    return entry;
 }
 
 Entry Cast::entry()

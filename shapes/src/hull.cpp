@@ -50,6 +50,7 @@ std::vector<Vec3> distinct(std::span<const Vec3> points)
     order.erase(std::unique(order.begin(), order.end(), same), order.end());
     std::sort(order.begin(), order.end());
     std::vector<Vec3> out;
+    out.reserve(order.size());
     for (const std::size_t i : order)
         out.push_back(points[i]);
     return out;
@@ -122,6 +123,7 @@ Hull Hull::from_points(std::span<const Vec3> points)
     auto data = std::make_shared<HullData>();
     data->exponent = unit_exponent(given);
     std::vector<V3> all;
+    all.reserve(given.size());
     for (const Vec3& p : given)
         all.push_back(scaled(load(p), -data->exponent));
 

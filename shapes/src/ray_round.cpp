@@ -74,7 +74,8 @@ Chord below_apex(V3 o, V3 d, double height, double radius)
 double first(Chord c)
 {
     const double t = std::max(c.enter, 0.0);
-    return t <= c.leave && t < infinity ? t : infinity;
+    if (t <= c.leave && t < infinity) return t;
+    return infinity;
 }
 
 SurfaceEntry enter_cylinder(V3 o, V3 d, V3 h)
