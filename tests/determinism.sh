@@ -92,7 +92,7 @@ grep -q __FMA__ <(g++ -march=native -dM -E -x c++ /dev/null) || echo "This machi
 # A line of a program: how many queries, their hash, the hash of the answers. The first build is the measure.
 said() { sed -nE "s/^ *$2 queries ([0-9a-f]+) answers ([0-9a-f]+)\$/\1 \2/p" "$scratch/$1.said"; }
 passed=0 failed=()
-printf '\n%-42s %8s  %-16s  %-16s\n' build seconds "answers, 20,000" "answers, 1,000,000"
+printf '\n%-42s %8s  %-16s  %-16s\n' build seconds "answers, $few" "answers, $all"
 for i in "${!names[@]}"; do
     verdict=same shown=()
     grep -q failed "$scratch/$i.said" && verdict="FAILED TO RUN"
