@@ -40,6 +40,7 @@ private:
     Step best_step() const;
     bool stale(const Step&);
     Toi hit();
+    Separation start_of_contact() const;
     bool begins_in_contact(const Separation& start, const StartOracle&) const;
     Toi go_on_from(const Separation& start);
     Toi approach();
@@ -107,11 +108,13 @@ template <class Part> Step Advance<Part>::best_step() const
 template <class Part> bool Advance<Part>::stale(const Step& step)
 {
     if (followed_ == 0) return false;
-    if (!(step.gap > 0) || step.gap > 0.5 * last_gap_ || followed_ > tolerance::most_followed) return true;
-    if (!(step.gap < 0.1 * seen_gap_)) return false;
+    if (!(step.gap > 0) || step.gap > tolerance::slow_step * last_gap_ ||
+        followed_ > tolerance::most_followed)
+        return true;
+    if (!(step.gap < tolerance::worth_landing * seen_gap_)) return false;
     seen_gap_ = step.gap;
     watch_.land(course_.facing(), sight_);
-    return step.gap < 0.5 * (sight_.upper - course_.radii);
+    return step.gap < tolerance::stale_features * (sight_.upper - course_.radii);
 }
 
 /// Moves to time t, by a step that leaves `step.residual` of the gap.
@@ -159,20 +162,6 @@ template <class Part> Toi Advance<Part>::approach_anew()
     return approach();
 }
 
-/// The contact that a look shows, where its axis proves what its points say up to `doubt`.
-std::optional<Separation> shown(const Sight& sight, const Facing<Core>& f, double doubt)
-{
-    const Core &a = f.a.part, &b = f.b.part;
-    const V3 n = sight.best_normal();
-    const double apart = dot(sight.v, n);
-    if (!(sight.upper < infinity) || !(norm(sight.v - apart * n) <= doubt) ||
-        !(apart - gap_along(a, b, n) <= doubt))
-        return {};
-    const double gap = apart - (a.radius + b.radius);
-    const V3 point_a = sight.point_a + a.radius * n;
-    return Separation{gap, gap, n, point_a, point_a + gap * n};
-}
-
 /// The contact here: from the last look, a closer one, or all over.
 template <class Part> Separation Advance<Part>::contact()
 {
@@ -213,8 +202,20 @@ template <class Part> Toi Advance<Part>::run(const StartOracle& oracle)
     course_.go(course_.window.begin);
     look();
     if (course_.now() > 0 || !there()) return approach();
-    const Separation start = course_.separated();
+    const Separation start = start_of_contact();
     return begins_in_contact(start, oracle) ? from_contact() : go_on_from(start);
+}
+
+/// How far apart they start, with the better of what its axis proves and that of the last look: of curved
+/// shapes the points alone may say too much.
+template <class Part> Separation Advance<Part>::start_of_contact() const
+{
+    Separation start = course_.separated();
+    if constexpr (std::is_same_v<Part, Core>) {
+        const Core &a = course_.facing().a.part, &b = course_.facing().b.part;
+        start.lower = std::max(start.lower, gap_along(a, b, sight_.best_normal()) - (a.radius + b.radius));
+    }
+    return start;
 }
 
 /// In doubt it is contact where contact is to be reported, and else a near miss, which approaching makes a
@@ -222,11 +223,12 @@ template <class Part> Toi Advance<Part>::run(const StartOracle& oracle)
 template <class Part>
 bool Advance<Part>::begins_in_contact(const Separation& start, const StartOracle& oracle) const
 {
-    const double gap = start.gap - course_.options.target_gap;
+    const double target = course_.options.target_gap, gap = start.gap - target;
     const double doubt = tolerance::shown * course_.rounding;
     if (oracle.in_contact != nullptr && std::fabs(gap) <= course_.rounding)
         return oracle.in_contact(oracle.query);
-    return gap <= (course_.options.start_contact == StartContact::report ? doubt : -doubt);
+    const bool reported = course_.options.start_contact == StartContact::report;
+    return reported ? start.lower - target <= doubt : gap <= -doubt;
 }
 
 template <class Part> Toi Advance<Part>::from_contact()

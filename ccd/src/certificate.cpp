@@ -127,7 +127,6 @@ public:
         bend_towards();
     }
 
-    double horizon() const { return horizon_; }
     double curvature() const { return curvature_; }
     Piece now() const { return now_; }
     Piece piece(double h) const

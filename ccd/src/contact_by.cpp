@@ -2,6 +2,7 @@
 #include "contact_by.h"
 
 #include "depth.h"
+#include "tolerance.h"
 
 #include <algorithm>
 
@@ -45,7 +46,8 @@ double proven_contact(Course<Part>& course, const WatchOfPart& watch, const Sigh
     const double closing = closing_speed(course.facing(), TurningAxis{n, sight.axis.spin});
     const double gap = std::max(0.0, dot(sight.v, n) - course.radii);
     if (!(closing > 0)) return infinity;
-    for (const double deep : {8 * course.rounding, 2 * course.tolerance + 64 * course.rounding}) {
+    for (const double deep :
+         {tolerance::shallow * course.rounding, 2 * course.tolerance + tolerance::deeper * course.rounding}) {
         const double later = std::min(course.now() + 2 * (gap + deep) / closing, course.options.t_max);
         if (in_contact(course, watch, sight, later)) return later;
     }

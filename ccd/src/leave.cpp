@@ -121,11 +121,12 @@ template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double
 }
 
 /// A step over which the gap provably does not fall below what it is: 0 if none is proven that could be told
-/// from standing still. From deeper down it also ends at a quarter of what could bring the gap to the target,
+/// from standing still. From deeper down it also ends at a part of what could bring the gap to the target,
 /// so that poses are looked at often enough to see it fall again.
 template <class Part> double Leaving<Part>::step_away() const
 {
-    const double shallow = 0.25 * -gap() / course_.fastest, left = course_.window.end - course_.now();
+    const double shallow = tolerance::watchful * -gap() / course_.fastest,
+                 left = course_.window.end - course_.now();
     const double least = std::min(course_.tolerance / course_.fastest, tolerance::small_part * left);
     const double way = rising(course_.facing(), now_.normal, left);
     if (!(way >= least)) return 0;

@@ -229,4 +229,17 @@ Sight BorderWatch::look(const Facing<Border>& f)
     return s;
 }
 
+std::optional<Separation> shown(const Sight& sight, const Facing<Core>& f, double doubt)
+{
+    const Core &a = f.a.part, &b = f.b.part;
+    const V3 n = sight.best_normal();
+    const double apart = dot(sight.v, n);
+    if (!(sight.upper < infinity) || !(norm(sight.v - apart * n) <= doubt) ||
+        !(apart - gap_along(a, b, n) <= doubt))
+        return {};
+    const double gap = apart - (a.radius + b.radius);
+    const V3 point_a = sight.point_a + a.radius * n;
+    return Separation{gap, gap, n, point_a, point_a + gap * n};
+}
+
 } // namespace brink

@@ -5,6 +5,8 @@
 #include "certificate.h"
 #include "contact_features.h"
 
+#include <optional>
+
 namespace brink {
 
 /// What a look at two bodies shows.
@@ -17,6 +19,9 @@ struct Sight {
 
     V3 best_normal() const { return axis.normal == V3{} ? normal : axis.normal; }
 };
+
+/// The contact that a look shows, where its axis proves what its points say up to `doubt`.
+std::optional<Separation> shown(const Sight&, const Facing<Core>&, double doubt);
 
 /// Looks at two bounded bodies as they move on, each in the cheapest way that serves.
 class Watch {

@@ -107,6 +107,22 @@ inline constexpr double near_enough = 1e-4;
 /// How near the bounds of a gap of curved surfaces must come in an answer, as a part of the tolerance.
 inline constexpr double told = 0x1p-6;
 
+/// When features followed are looked at again (parts of a gap; guesses, on which no answer's validity rests):
+/// when a step leaves more than this of the gap, where it should leave its square;
+inline constexpr double slow_step = 0.5;
+/// when the gap has shrunk to this since the last look, their own distance is taken,
+inline constexpr double worth_landing = 0.1;
+/// and the axis must prove this much of it.
+inline constexpr double stale_features = 0.5;
+
+/// How much of the time in which a deep contact could end is passed before it is looked at again.
+inline constexpr double watchful = 0.25;
+
+/// How deep in roundings a time is tried at which contact is to be proven: first as little as may show, then
+/// enough for features that slip.
+inline constexpr double shallow = 8;
+inline constexpr double deeper = 64;
+
 /// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
 inline constexpr int most_followed = 12;
 

@@ -118,7 +118,8 @@ Penetration distance(ExpandingPolytope& polytope, const Core& a, const Core& b, 
         const double lower = dot(n, corner.w);
         if (lower > best.gap) best = {lower, n};
         if (length - best.gap <= slack || polytope.has(corner)) break;
-        if (!polytope.grow(polytope.brightest(corner.w), corner)) break;
+        const int seen = polytope.brightest(corner.w);
+        if (seen < 0 || !polytope.grow(seen, corner)) break;
         nearest = polytope.around({});
     }
     best.gap = gap_along(a, b, best.normal);

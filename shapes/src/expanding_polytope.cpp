@@ -59,9 +59,12 @@ int ExpandingPolytope::nearest() const
 
 int ExpandingPolytope::brightest(V3 w) const
 {
-    int best = 0;
-    for (int i = 1; i < face_count_; ++i)
-        if (height(i, w) > height(best, w)) best = i;
+    int best = -1;
+    double most = 0;
+    for (int i = 0; i < face_count_; ++i) {
+        const double above = height(i, w);
+        if (above > most) most = above, best = i;
+    }
     return best;
 }
 

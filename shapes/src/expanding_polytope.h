@@ -35,7 +35,7 @@ public:
     Face& face(int i) { return faces_[i]; }
     /// The face that is nearest to the origin, or the farthest before it, and not final; -1 where all are.
     int nearest() const;
-    /// The face that w is the farthest beyond.
+    /// The face that w is the farthest beyond; -1 where it is beyond none.
     int brightest(V3 w) const;
     bool has(const Corner&) const;
     /// By how much more than a corner of the face rounding may move another point of its plane: slivers tilt

@@ -53,9 +53,9 @@ struct Toi {
 /// answer for the doubles given, whatever their magnitude, and t_upper is finite; a hit with an infinite
 /// t_upper says that even exact arithmetic could not hold the numbers (quaternion components that differ by
 /// 1e100 or more). All other decisions are certified: what rounding leaves in doubt is a hit within the
-/// tolerance, or undecided. Two curved shapes at a tolerance below 1e-12 of their size may be undecided at
-/// contact itself. Never throws, allocates or prints; what is not a number or out of range is answered
-/// `invalid`.
+/// tolerance, or undecided. Where a cylinder, cone or ellipsoid takes part and the tolerance is below 1e-11
+/// of all lengths, contact itself may be undecided. Never throws, allocates or prints; what is not a number
+/// or out of range is answered `invalid`.
 Toi time_of_impact(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
                    const Options& options = {});
 
