@@ -13,66 +13,89 @@ namespace {
 
 constexpr int newton_rounds = 8;
 
-/// The points that support the turning axis at some h, as a line in h.
-struct Piece {
-    double value, slope;
+/// The points that support the turning axis at some h, as a line in h: its value at h = 0 and its slope, side
+/// by side in one register.
+using Line [[gnu::vector_size(2 * sizeof(double))]] = double;
+
+double at(Line l, double h) { return l[0] + h * l[1]; }
+Line times(double s, Line l) { return Line{s, s} * l; }
+
+/// axis + h shift
+class Turned {
+public:
+    Turned(V3 axis, V3 shift) : x_{axis.x, shift.x}, y_{axis.y, shift.y}, z_{axis.z, shift.z} {}
+
+    /// Its product with a vector
+    Line along(V3 v) const { return times(v.x, x_) + times(v.y, y_) + times(v.z, z_); }
+    /// and with a point, whose slope is told from where the axis turns about.
+    Line along(V3 p, V3 pivot) const
+    {
+        return Line{p.x, p.x - pivot.x} * x_ + Line{p.y, p.y - pivot.y} * y_ + Line{p.z, p.z - pivot.z} * z_;
+    }
+    V3 at(double h) const { return {brink::at(x_, h), brink::at(y_, h), brink::at(z_, h)}; }
+
+private:
+    Line x_, y_, z_;
 };
 
-/// How a body shows along an axis n + h shift, for all h: where its extreme points lie. Of a few corners, and
-/// of a box, no more is needed than their lines.
+/// How a body shows along an axis n + h shift, for all h: where its extreme points lie, the farthest along
+/// the axis, or against it where `side` is -1. Of a few corners, and of a box, no more is needed than their
+/// lines.
 class Shadow {
 public:
-    Shadow(const Posed<Core>& body, V3 axis, V3 shift) : body_(body), axis_(axis), shift_(shift)
+    Shadow(const Posed<Core>& body, V3 axis, V3 shift, double side)
+        : body_(body), axis_(axis, shift), side_(side), still_(shift == V3{})
     {
         const Core& c = body.part;
-        const V3 h = c.half_extents, axes[3] = {c.axes.x, c.axes.y, c.axes.z};
         if (c.kind <= Core::Kind::triangle) {
             for (int k = 0; k < c.count; ++k)
-                line_[k] = {dot(axis, c.points[k]), dot(shift, c.points[k] - body.pivot)};
+                line_[k] = axis_.along(c.points[k], body.pivot);
         } else if (c.kind == Core::Kind::box) {
-            middle_ = {dot(axis, c.centre), dot(shift, c.centre - body.pivot)};
-            const double half[3] = {h.x, h.y, h.z};
-            for (int k = 0; k < 3; ++k)
-                line_[k] = {half[k] * dot(axis, axes[k]), half[k] * dot(shift, axes[k])};
+            middle_ = axis_.along(c.centre, body.pivot);
+            line_[0] = times(c.half_extents.x, axis_.along(c.axes.x));
+            line_[1] = times(c.half_extents.y, axis_.along(c.axes.y));
+            line_[2] = times(c.half_extents.z, axis_.along(c.axes.z));
         }
+        now_ = sought(0);
     }
-    /// The line of the point that lies farthest along the axis, or against it where `side` is -1.
-    [[gnu::always_inline]] Piece extreme(double h, double side) const
+    Line now() const { return now_; }
+    Line extreme(double h) const { return still_ ? now_ : sought(h); }
+
+private:
+    [[gnu::always_inline]] Line sought(double h) const
     {
         const Core& c = body_.part;
         if (c.kind == Core::Kind::box) {
-            Piece p = middle_;
-            for (const Piece& l : line_) {
-                const double sign = l.value + h * l.slope > 0 ? side : -side;
-                p = {p.value + sign * l.value, p.slope + sign * l.slope};
-            }
+            Line p = middle_;
+            for (const Line& l : line_)
+                p += times(std::copysign(1.0, side_ * at(l, h)), l);
             return p;
         }
         if (c.kind <= Core::Kind::triangle) {
-            Piece best = line_[0];
+            Line best = line_[0];
             for (int k = 1; k < c.count; ++k)
-                if (side * (line_[k].value + h * line_[k].slope) > side * (best.value + h * best.slope))
-                    best = line_[k];
+                if (side_ * at(line_[k], h) > side_ * at(best, h)) best = line_[k];
             return best;
         }
-        const V3 p = farthest(c, side * (axis_ + h * shift_)).point;
-        return {dot(axis_, p), dot(shift_, p - body_.pivot)};
+        return axis_.along(farthest(c, side_ * axis_.at(h)).point, body_.pivot);
     }
 
-private:
     const Posed<Core>& body_;
-    V3 axis_, shift_;
-    Piece middle_{}, line_[3]{};
+    Turned axis_;
+    double side_;
+    bool still_;
+    Line middle_{}, line_[3]{}, now_;
 };
 
 /// A plane has one possible axis, its own normal, which stays with it.
 class Level {
 public:
-    Level(const Posed<Border>& body, V3 axis, V3)
+    Level(const Posed<Border>& body, V3 axis, V3, double)
         : value_(dot(axis, body.part.normal) < 0 ? -body.part.offset : body.part.offset)
     {
     }
-    Piece extreme(double, double) const { return {value_, 0}; }
+    Line now() const { return Line{value_, 0}; }
+    Line extreme(double) const { return now(); }
 
 private:
     double value_;
@@ -87,24 +110,24 @@ double reach_along(const Posed<Border>&, V3) { return 0; }
 /// What one body adds to the bounds of the second and third derivative of n . x while n turns.
 struct Bend {
     double second = 0, third = 0;
-    V3 now; // the second derivative of n . x now is x . now
 };
 
-template <class Part>
-[[gnu::always_inline]] inline Bend bend(const Posed<Part>& body, const TurningAxis& n, double spin)
+template <class Part> Bend bend(const Posed<Part>& body, const TurningAxis& n, V3 relative, double spin)
 {
-    const V3 relative = body.rate - n.spin;
     if (relative == V3{}) return {}; // the axis is glued to it
     if (spin == 0) {
-        const V3 m = cross(n.normal, body.rate);
-        const double across = norm(m) * body.angle;
-        return {body.reach * across, body.reach * across * body.angle, cross(m, body.rate)};
+        const double across = norm(cross(n.normal, body.rate)) * body.angle;
+        return {body.reach * across, body.reach * across * body.angle};
     }
-    const V3 u = cross(body.rate, n.spin);
-    const double rate = norm(relative), turn = norm(u);
+    const double rate = norm(relative), turn = norm(cross(body.rate, n.spin));
     return {body.reach * (turn + rate * rate),
-            body.reach * (rate * rate * rate + 3 * rate * turn + spin * turn),
-            cross(n.normal, u) + cross(relative, cross(relative, n.normal))};
+            body.reach * (rate * rate * rate + 3 * rate * turn + spin * turn)};
+}
+
+/// The second derivative of n . x now is x . this.
+template <class Part> V3 bend_now(const Posed<Part>& body, const TurningAxis& n, V3 relative)
+{
+    return cross(n.normal, cross(body.rate, n.spin)) + cross(relative, cross(relative, n.normal));
 }
 
 /// phi(h) = value + slope h - curvature h^2 / 2 <= gap(t + h) for h in [0, horizon]: every pair of points at
@@ -115,33 +138,49 @@ public:
     Bound(const Facing<Part>& f, const TurningAxis& axis, double horizon)
         : f_(f),
           axis_(axis),
-          a_(f.a, axis.normal, cross(axis.normal, f.a.rate - axis.spin)),
-          b_(f.b, axis.normal, cross(axis.normal, f.b.rate - axis.spin)),
+          relative_a_(f.a.rate - axis.spin),
+          relative_b_(f.b.rate - axis.spin),
+          a_(f.a, axis.normal, cross(axis.normal, relative_a_), 1),
+          b_(f.b, axis.normal, cross(axis.normal, relative_b_), -1),
           drift_(cross(axis.spin, axis.normal)),
-          slope_(dot(axis.normal, f.velocity) + dot(drift_, f.b.pivot)),
-          now_(piece(0)),
+          rest_{-f.margin, dot(axis.normal, f.velocity) + dot(drift_, f.b.pivot)},
+          now_((b_.now() - a_.now()) + rest_),
           horizon_(horizon)
     {
+    }
+    /// Needed by all that follows.
+    void bend_towards()
+    {
         // Past the root of its tangent a concave function is negative.
-        if (now_.slope < 0 && now_.value > 0) horizon_ = std::min(horizon, now_.value / -now_.slope);
-        bend_towards();
+        if (now_[1] < 0 && now_[0] > 0) horizon_ = std::min(horizon_, now_[0] / -now_[1]);
+        const double spin = norm(axis_.spin);
+        const Bend a = bend(f_.a, axis_, relative_a_, spin), b = bend(f_.b, axis_, relative_b_, spin);
+        curvature_ = a.second + b.second;
+        double third = a.third + b.third;
+        if (spin > 0) {
+            const double far = std::max(norm(f_.b.pivot), norm(f_.b.pivot + horizon_ * f_.velocity));
+            const double turn = norm(drift_), speed = norm(f_.velocity);
+            curvature_ += spin * turn * far + 2 * turn * speed;
+            third += spin * (spin * turn * far + 3 * turn * speed);
+        }
+        if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_[0]))) return;
+        const double bent = reach_along(f_.b, -bend_now(f_.b, axis_, relative_b_)) +
+                            reach_along(f_.a, bend_now(f_.a, axis_, relative_a_)) -
+                            dot(cross(axis_.spin, drift_), f_.b.pivot) - 2 * dot(drift_, f_.velocity);
+        curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
     }
 
     double curvature() const { return curvature_; }
-    Piece now() const { return now_; }
-    Piece piece(double h) const
+    Line now() const { return now_; }
+    Line line(double h) const { return (b_.extreme(h) - a_.extreme(h)) + rest_; }
+    double bent(double h, Line l) const { return at(l, h) - 0.5 * curvature_ * h * h; }
+    /// Where the parabola through this line falls to `level`; never before phi itself does.
+    double reaches(double level, Line l) const
     {
-        const Piece a = a_.extreme(h, 1), b = b_.extreme(h, -1);
-        return {(b.value - a.value) - f_.margin, slope_ + (b.slope - a.slope)};
-    }
-    double at(double h, Piece p) const { return p.value + h * p.slope - 0.5 * curvature_ * h * h; }
-    /// Where the parabola through this piece falls to `level`; never before phi itself does.
-    double reaches(double level, Piece p) const
-    {
-        const double above = std::max(0.0, p.value - level);
-        const double root = std::sqrt(p.slope * p.slope + 2 * curvature_ * above);
-        if (p.slope > 0) return curvature_ > 0 ? (p.slope + root) / curvature_ : infinity;
-        return root - p.slope > 0 ? 2 * above / (root - p.slope) : infinity;
+        const double above = std::max(0.0, l[0] - level), slope = l[1];
+        const double root = std::sqrt(slope * slope + 2 * curvature_ * above);
+        if (slope > 0) return curvature_ > 0 ? (slope + root) / curvature_ : infinity;
+        return root - slope > 0 ? 2 * above / (root - slope) : infinity;
     }
 
     struct Last {
@@ -152,41 +191,24 @@ public:
     {
         double x = std::min(horizon_, reaches(level, now_));
         for (int i = 0;; ++i) {
-            const Piece p = piece(x);
-            const double value = at(x, p);
+            const Line l = line(x);
+            const double value = bent(x, l);
             if (value >= level || i == newton_rounds) return {x, value};
-            const double next = reaches(level, p);
+            const double next = reaches(level, l);
             if (!(next < x)) return {x, value};
             x = next;
         }
     }
 
 private:
-    void bend_towards()
-    {
-        const double spin = norm(axis_.spin);
-        const Bend a = bend(f_.a, axis_, spin), b = bend(f_.b, axis_, spin);
-        curvature_ = a.second + b.second;
-        double third = a.third + b.third;
-        if (spin > 0) {
-            const double far = std::max(norm(f_.b.pivot), norm(f_.b.pivot + horizon_ * f_.velocity));
-            const double turn = norm(drift_), speed = norm(f_.velocity);
-            curvature_ += spin * turn * far + 2 * turn * speed;
-            third += spin * (spin * turn * far + 3 * turn * speed);
-        }
-        if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_.value))) return;
-        const double bent = reach_along(f_.b, -b.now) + reach_along(f_.a, a.now) -
-                            dot(cross(axis_.spin, drift_), f_.b.pivot) - 2 * dot(drift_, f_.velocity);
-        curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
-    }
-
     const Facing<Part>& f_;
     const TurningAxis& axis_;
+    V3 relative_a_, relative_b_;
     Shadow a_;
     ShadowOf<Part> b_;
     V3 drift_;
-    double slope_;
-    Piece now_;
+    Line rest_; // of the gap: what is the same for all points
+    Line now_;
     double horizon_, curvature_ = 0;
 };
 
@@ -194,9 +216,10 @@ private:
 
 template <class Part> Step safe_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
-    const Bound<Part> bound(f, axis, horizon);
-    Step step{bound.now().value, 0, 0};
+    Bound<Part> bound(f, axis, horizon);
+    Step step{bound.now()[0], 0, 0};
     if (!(step.gap > 0)) return step;
+    bound.bend_towards();
     const auto [x, left] = bound.last(0);
     // The chord lies below a concave function.
     step.length = left >= 0 ? x : x * (step.gap / (step.gap - left)) * tolerance::step_shrink;
@@ -206,20 +229,18 @@ template <class Part> Step safe_step(const Facing<Part>& f, const TurningAxis& a
 
 template <class Part> double rising_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
-    const Bound<Part> bound(f, axis, horizon);
-    const double level = bound.now().value;
+    Bound<Part> bound(f, axis, horizon);
+    bound.bend_towards();
+    const double level = bound.now()[0];
     const auto [x, value] = bound.last(level);
     if (x >= horizon && value >= level) return horizon;
     const double half = 0.5 * x; // the top of a parabola; further on the bound falls again
-    return bound.at(half, bound.piece(half)) >= level ? half : 0;
+    return bound.bent(half, bound.line(half)) >= level ? half : 0;
 }
 
 template <class Part> double closing_speed(const Facing<Part>& f, const TurningAxis& axis)
 {
-    const Piece a = Shadow(f.a, axis.normal, cross(axis.normal, f.a.rate - axis.spin)).extreme(0, 1);
-    const Piece b = ShadowOf<Part>(f.b, axis.normal, cross(axis.normal, f.b.rate - axis.spin)).extreme(0, -1);
-    const V3 drift = cross(axis.spin, axis.normal);
-    return (a.slope - b.slope) - (dot(axis.normal, f.velocity) + dot(drift, f.b.pivot));
+    return -Bound<Part>(f, axis, 0).now()[1];
 }
 
 double closing_rate(const Facing<Core>& f, V3 axis)
