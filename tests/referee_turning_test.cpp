@@ -2,6 +2,7 @@
 #include "support/moving.h"
 #include "support/print.h"
 #include "support/referee.h"
+#include "support/referee_question.h"
 #include "support/referee_turning.h"
 
 #include <doctest/doctest.h>
@@ -195,4 +196,23 @@ TEST_CASE("turning referee: agrees with the referee of the closed forms where no
     }
     CHECK(asked > 450);
     CHECK(hits > 180);
+}
+
+TEST_CASE("referee: a sliver of a simplex, which rounding puts round the origin, is no contact")
+{
+    const Query q{Sphere{0x1.761e99dc968p-40},
+                  Motion{Pose{Vec3(-0x1.739d0ead233eap-1, 0x1.23323c7067da5p+0, 0x1.108eba0dd7e1dp+1),
+                              Quat(0x1.483734bb33083p-1, -0x1.58f530b46001p-1, -0x1.19fd7ce6f2b39p-2,
+                                   0x1.f2afb593d1e9bp-3)},
+                         Vec3(0x1.2b3f0a5e3434cp-6, -0x1.28441ce3a35a9p-5, -0x1.045947d69762p-4),
+                         Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                  Cylinder{0x1.d0467bde802a3p-1, 0x1.2b3c8e80d738ep+0},
+                  Motion{Pose{Vec3(0, 0, 0), Quat(0x1.b71068b05716ap-4, -0x1.126c8248f7d68p-1,
+                                                  -0x1.503a47880ab02p-1, 0x1.0a08d5f71d927p-1)},
+                         Vec3(-0x1.f996b70bb1b77p-2, 0x1.f48db7ba03415p-1, 0x1.b7deac94322eap+0),
+                         Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                  Options{1, 0, 0, StartContact::report, Detail::contact, 256}};
+    const Stretch s = Question(q).clear(0, 0.59786330090295914); // contact is 2.7e-15 later
+    CHECK(!s.contact);
+    CHECK(!s.in_doubt);
 }

@@ -175,6 +175,10 @@ Simplices<T> by_simplices(const Placement<T>& a, const Placement<T>& b, const Ef
         }
         simplex = face.simplex;
         out.overlap = simplex.count == 4 || length == 0;
+        if (out.overlap && any && out.lower > 0) { // a plane between them has said no: a sliver of rounding
+            out.overlap = false;
+            break;
+        }
         if (out.overlap) return out;
         const Vector<T> n = T(1 / length) * face.p;
         const Corner<T> next = corner(n);
