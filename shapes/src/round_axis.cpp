@@ -13,11 +13,15 @@ namespace {
 constexpr int most_rounds = 12;
 /// Of a direction, in radians: half of a double's digits.
 constexpr double apart = 0x1p-20;
+/// The same where only the ends of a line are asked for.
+constexpr double closest = 0x1p-38;
 /// A supporting point that turns with its direction by more than this, in lengths per radian and in lengths
 /// of the cores, jumps from one end of a line to the other.
 constexpr double jump = 0x1p10;
 /// Steps longer than this, in radians, leave the neighbourhood.
 constexpr double longest_step = 0.25;
+/// Steps whose directions agree to this cosine, and that shrink at all, make a sequence.
+constexpr double same_way = 0.98, longest_share = 0.99;
 
 using Corner = Simplex::Corner;
 
@@ -44,7 +48,20 @@ private:
         const SupportPoint on_a = farthest(a_, n), on_b = farthest(b_, -n);
         return {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
     }
-    Way along(V3 direction, double bend);
+    struct Ends {
+        Corner behind, ahead;
+        V3 line() const { return ahead.w - behind.w; }
+    };
+    Ends ends(V3 direction, double side) const
+    {
+        return {support(axis_ - side * direction), support(axis_ + side * direction)};
+    }
+    Ends ends_of_line(V3 direction) const;
+    double bend(V3 direction) const { return 0.5 / apart * dot(ends(direction, apart).line(), direction); }
+    bool jumps(double bend) const { return bend < -jump * size_; }
+    Way smooth(V3 direction, double bend, V3 nearest) const;
+    Way upright(V3 direction, const Ends&) const;
+    void stand_on_ridge(V3 direction);
 
     const Core& a_;
     const Core& b_;
@@ -59,40 +76,70 @@ Chart::Chart(const Core& a, const Core& b, V3 axis, double size)
     : a_(a), b_(b), axis_(axis), size_(size), here_(support(axis)), nearest_{1, {here_}}
 {
     const V3 e = any_perpendicular(axis), f = cross(axis, e);
-    const V3 by_e = support(axis + apart * e).w - support(axis - apart * e).w;
-    const V3 by_f = support(axis + apart * f).w - support(axis - apart * f).w;
+    const V3 by_e = ends(e, apart).line(), by_f = ends(f, apart).line();
     const double scale = 0.5 / apart, ee = scale * dot(by_e, e), ff = scale * dot(by_f, f);
     const double ef = 0.5 * scale * (dot(by_e, f) + dot(by_f, e)), half = 0.5 * (ee - ff);
     // The directions in which the bend is strongest and weakest.
     const double root = std::sqrt(half * half + ef * ef), strong = 0.5 * (ee + ff) - root;
     V3 way = half <= 0 ? (half - root) * e + ef * f : ef * e - (half + root) * f;
     way = norm(way) > 0 ? (1 / norm(way)) * way : e;
-    first_ = along(way, strong);
-    second_ = along(cross(axis, way), 0.5 * (ee + ff) + root);
+    if (jumps(strong)) {
+        stand_on_ridge(way);
+        return;
+    }
+    first_ = smooth(way, strong, here_.w);
+    second_ = smooth(cross(axis, way), 0.5 * (ee + ff) + root, here_.w);
 }
 
-/// One way of two that do not bend into each other.
-Chart::Way Chart::along(V3 direction, double bend)
+/// A way of two that do not bend into each other.
+Chart::Way Chart::smooth(V3 direction, double bend, V3 nearest) const
 {
-    Way way{direction, 0, 0};
-    const double gap = dot(axis_, here_.w);
-    if (bend < -jump * size_) {
-        const Corner ahead = support(axis_ + apart * direction), behind = support(axis_ - apart * direction);
-        const V3 line = ahead.w - behind.w;
-        const double across = dot(line, direction);
-        if (!(across < 0)) return way;
-        way.step = -dot(line, axis_) / across;
-        way.gain = way.step * across;
-        nearest_ = {};
-        nearest_.add(behind);
-        nearest_.add(ahead);
-        nearest_.reduce();
-        return way;
+    const double slope = dot(nearest, direction);
+    const double curvature = bend - dot(axis_, here_.w); // of the unit sphere, too
+    const double step = curvature < 0 ? -slope / curvature : slope / size_;
+    return {direction, step, 0.5 * slope * step};
+}
+
+/// To where the axis stands upright on a line.
+Chart::Way Chart::upright(V3 direction, const Ends& ends) const
+{
+    const double across = dot(ends.line(), direction);
+    if (!(across < 0)) return {direction};
+    const double step = -dot(ends.line(), axis_) / across;
+    return {direction, step, step * across};
+}
+
+/// Both ends of a line that lies against the plane, by turning as little as shows them: other surfaces roll
+/// on meanwhile.
+Chart::Ends Chart::ends_of_line(V3 direction) const
+{
+    const Ends near = ends(direction, closest);
+    return dot(near.line(), direction) < -2 * apart * jump * size_ ? near : ends(direction, apart);
+}
+
+void Chart::stand_on_ridge(V3 direction)
+{
+    const V3 rough = ends_of_line(direction).line(), flat = rough - dot(rough, axis_) * axis_;
+    if (!(norm(flat) > 0)) return;
+    const V3 way = (-1 / norm(flat)) * flat, other = cross(axis_, way);
+    const Ends line = ends_of_line(way);
+    first_ = upright(way, line);
+    nearest_ = {};
+    nearest_.add(line.behind);
+    nearest_.add(line.ahead);
+    nearest_.reduce();
+    const double bend_of_other = bend(other);
+    if (!jumps(bend_of_other)) {
+        second_ = smooth(other, bend_of_other, nearest_.point());
+        return;
     }
-    const double slope = dot(here_.w, direction), curvature = bend - gap; // of the unit sphere, too
-    way.step = curvature < 0 ? -slope / curvature : slope / size_;
-    way.gain = 0.5 * slope * way.step;
-    return way;
+    const Ends crossing = ends_of_line(other);
+    second_ = upright(other, crossing);
+    for (const Corner& end : {crossing.behind, crossing.ahead}) {
+        if (nearest_.contains(end) || nearest_.size == 4) continue;
+        nearest_.add(end);
+        nearest_.reduce();
+    }
 }
 
 V3 Chart::step() const
@@ -102,13 +149,23 @@ V3 Chart::step() const
     return length > longest_step ? (longest_step / length) * s : s;
 }
 
+/// Steps that shrink by the same share again and again, because a line rolls along as the axis turns about
+/// it, are taken all at once (Aitken).
+V3 hastened(V3 step, V3& last)
+{
+    const double length = norm(step), before = norm(last);
+    const bool again = dot(step, last) > same_way * length * before && length < longest_share * before;
+    last = again ? V3{} : step;
+    return again ? (1 / (1 - length / before)) * step : step;
+}
+
 } // namespace
 
 LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double slack)
 {
     const double size = std::max(extent(a), extent(b));
     LocalTop best;
-    V3 axis = start.normal;
+    V3 axis = start.normal, last;
     double most = -infinity;
     for (int round = 0; round < most_rounds; ++round) {
         const Chart chart(a, b, axis, size);
@@ -121,7 +178,7 @@ LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double sl
                 best.point_a = best.point_a + s.corners[k].weight * s.corners[k].on_a;
             most = std::max(most, gap);
         }
-        const V3 step = better ? chart.step() : 0.5 * (best.axis.normal - axis);
+        const V3 step = better ? hastened(chart.step(), last) : 0.5 * (best.axis.normal - axis);
         if (!(norm_squared(step) > tolerance::epsilon * tolerance::epsilon)) break;
         axis = axis + step;
         axis = (1 / norm(axis)) * axis;
