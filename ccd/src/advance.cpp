@@ -49,6 +49,7 @@ private:
     Course<Part> course_;
     WatchOf<Part> watch_;
     Sight sight_;
+    Rolling rolling_;
     int followed_ = 0;           // axis steps since the last look
     double seen_gap_ = infinity; // at that look
     double last_gap_ = infinity; // at the last step
@@ -60,6 +61,7 @@ template <class Part> void Advance<Part>::look()
     ++course_.iterations;
     sight_ = watch_.look(course_.facing());
     followed_ = 0;
+    if (sight_.guessed) rolling_.see(sight_.normal, course_.now());
 }
 
 template <class Part> Separation Advance<Part>::measured()
@@ -100,6 +102,7 @@ template <class Part> Step Advance<Part>::best_step() const
         if (!sight_.guessed) return best;
         attempt(TurningAxis{sight_.normal, f.a.rate});
         attempt(TurningAxis{sight_.normal, f.b.rate});
+        if (!(rolling_.spin == V3{})) attempt(TurningAxis{sight_.normal, rolling_.spin});
     }
     return best;
 }

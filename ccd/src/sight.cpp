@@ -229,6 +229,16 @@ Sight BorderWatch::look(const Facing<Border>& f)
     return s;
 }
 
+void Rolling::see(V3 normal, double time)
+{
+    const V3 turned = cross(normal_, normal);
+    const bool known = !(normal_ == V3{});
+    if (known && !(time > time_ && norm(turned) > tolerance::least_turn)) return;
+    if (known) spin = (1 / (time - time_)) * turned;
+    normal_ = normal;
+    time_ = time;
+}
+
 std::optional<Separation> shown(const Sight& sight, const Facing<Core>& f, double doubt)
 {
     const Core &a = f.a.part, &b = f.b.part;

@@ -20,6 +20,17 @@ struct Sight {
     V3 best_normal() const { return axis.normal == V3{} ? normal : axis.normal; }
 };
 
+/// How fast the normal between curved surfaces turns, as far as looks at different times tell.
+struct Rolling {
+    V3 spin; // of the axis; zero before it is known
+
+    void see(V3 normal, double time);
+
+private:
+    V3 normal_; // from which on it is told
+    double time_ = 0;
+};
+
 /// The contact that a look shows, where its axis proves what its points say up to `doubt`.
 std::optional<Separation> shown(const Sight&, const Facing<Core>&, double doubt);
 
