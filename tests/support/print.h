@@ -7,7 +7,7 @@
 
 namespace brink::support {
 
-/// The query as a statement that pastes into a test case of tests/regressions_test.cpp: `check(Query{...});`.
+/// The query as a statement that pastes into a test case of tests/regressions*_test.cpp: `check(Query{...});`.
 /// Every double in hexadecimal, so that not a bit is lost. `note` becomes a comment above it.
 std::string as_cpp(const Query&, std::string_view note = "");
 
