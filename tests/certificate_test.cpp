@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
-#include "moving_pair.h"
+#include "two_bodies.h"
 
 #include <doctest/doctest.h>
 
@@ -20,7 +20,7 @@ Box random_box(Random& random)
 }
 
 /// At rest, glued to either body, or anything.
-V3 any_spin(Random& random, const MovingPair<Core>& s)
+V3 any_spin(Random& random, const TwoBodies<Core>& s)
 {
     const V3 any = load(random.in_cube(4));
     const int choice = random.index(4);
@@ -64,7 +64,7 @@ TEST_CASE("safe_step: no gap opens into contact within a certified step, whateve
     for (int i = 0; i < 40'000; ++i) {
         const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
         const Motion motion_a = random_motion(random, 3), motion_b = random_motion(random, 3);
-        const MovingPair<Core> scene{moving_core(a, motion_a), moving_core(b, motion_b)};
+        const TwoBodies<Core> scene{moving_core(a, motion_a), moving_core(b, motion_b)};
         const double t = random.between(0, 0.9);
         const bool best_axis = random.chance(0.7);
         const V3 any = load(random.unit()), spin = any_spin(random, scene);
@@ -95,7 +95,7 @@ TEST_CASE("rising_step: the gap stays at or above where it was")
     for (int i = 0; i < 20'000; ++i) {
         const Box a = random_box(random), b = random_box(random);
         const Motion motion_a = random_motion(random, 1.5), motion_b = random_motion(random, 1.5);
-        const MovingPair<Core> scene{mover(a, motion_a), mover(b, motion_b)};
+        const TwoBodies<Core> scene{mover(a, motion_a), mover(b, motion_b)};
         const double t = random.between(0, 0.9);
         const Moment<Core> s(scene, t);
         const Separation now = scene.at(t);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "brute_force.h"
 #include "contact_features.h"
-#include "moving_pair.h"
+#include "two_bodies.h"
 
 #include <doctest/doctest.h>
 

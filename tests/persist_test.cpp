@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "moving_pair.h"
 #include "persist.h"
+#include "two_bodies.h"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@ struct Tally {
 };
 
 template <class Part>
-void check_lasting(const MovingPair<Part>& scene, double t, double reach, double gap, Tally& tally)
+void check_lasting(const TwoBodies<Part>& scene, double t, double reach, double gap, Tally& tally)
 {
     const Moment<Part> moment(scene, t);
     const double step = contact_step(moment.facing(), separation(moment.a, moment.b), reach, 1 - t);
@@ -49,7 +49,7 @@ TEST_CASE("contact_step: solid cores stay in contact, whatever they do")
         const Mover<Core> other = kind == 0   ? mover(cylinder, motion_b)
                                   : kind == 1 ? mover(cone, motion_b)
                                               : mover(ellipsoid, motion_b);
-        const MovingPair<Core> scene{moving, other};
+        const TwoBodies<Core> scene{moving, other};
         if (scene.at(t).gap < 0) check_lasting(scene, t, 0, 0, tally);
     }
     CHECK(tally.lasting > 1'200);
@@ -67,7 +67,7 @@ TEST_CASE("contact_step: radii and a target gap count")
         const Motion motion_a = random_motion(random, 0.6), motion_b = random_motion(random, 0.6);
         const double t = random.between(0, 0.9);
         CAPTURE(i);
-        const MovingPair<Core> scene{mover(a, motion_a), mover(b, motion_b)};
+        const TwoBodies<Core> scene{mover(a, motion_a), mover(b, motion_b)};
         if (scene.at(t).gap < gap) check_lasting(scene, t, 2 * radius + gap, gap, tally);
     }
     CHECK(tally.lasting > 2'000);
@@ -86,7 +86,7 @@ TEST_CASE("contact_step: planes and half-spaces")
         CAPTURE(i);
         const Mover<Border> border =
             i % 2 == 0 ? mover(Plane{normal, 0}, motion_b) : mover(HalfSpace{normal, 0}, motion_b);
-        const MovingPair<Border> scene{mover(box, motion_a), border};
+        const TwoBodies<Border> scene{mover(box, motion_a), border};
         if (scene.at(t).gap < 0) check_lasting(scene, t, 0, 0, tally);
     }
     CHECK(tally.lasting > 2'000);

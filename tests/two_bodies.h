@@ -23,7 +23,7 @@ inline Motion random_motion(support::Random& random, double reach)
 }
 
 /// A body and another one, or a plane or half-space.
-template <class Part> struct MovingPair {
+template <class Part> struct TwoBodies {
     Mover<Core> a;
     Mover<Part> b;
 
@@ -43,20 +43,20 @@ template <class Part> struct Moment {
     Core a;
     Part b;
     V3 offset;
-    const MovingPair<Part>& pair;
+    const TwoBodies<Part>& bodies;
 
-    Moment(const MovingPair<Part>& moving, double t)
+    Moment(const TwoBodies<Part>& moving, double t)
         : a(moving.a.turned_to(t)),
           b(placed(moving.b.turned_to(t), {}, moving.offset(t))),
           offset(moving.offset(t)),
-          pair(moving)
+          bodies(moving)
     {
     }
     Facing<Part> facing() const
     {
-        return {{a, {}, pair.a.reach, pair.a.turn.rate, pair.a.turn.angle},
-                {b, offset, pair.b.reach, pair.b.turn.rate, pair.b.turn.angle},
-                pair.b.translation - pair.a.translation,
+        return {{a, {}, bodies.a.reach, bodies.a.turn.rate, bodies.a.turn.angle},
+                {b, offset, bodies.b.reach, bodies.b.turn.rate, bodies.b.turn.angle},
+                bodies.b.translation - bodies.a.translation,
                 0};
     }
 };
