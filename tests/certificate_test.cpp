@@ -27,7 +27,7 @@ V3 any_spin(Random& random, const TwoBodies<Core>& s)
     return choice == 0 ? V3{} : choice == 1 ? s.a.turn.rate : choice == 2 ? s.b.turn.rate : any;
 }
 
-/// A shape of any bounded kind but a triangle, some of them flat or long.
+/// A segment, cylinder, cone, ellipsoid or, half of the time, a box: some of them flat or long.
 Shape random_shape(Random& random, int kind)
 {
     const double radius = random.log_between(0.01, 1), half_length = random.log_between(0.01, 2);
