@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "accuracy_point.h"
+#include "output.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,22 +11,17 @@ namespace {
 
 constexpr double least_error = 1e-15; // smaller ones are drawn here
 
+constexpr Sheet sheet{.svg = {18, 25, 21, 15}, .png = {14, 19, 16, 12}};
+
 /// The panels and everything else but the figures. Wants $points: panel, solver (0 brink, 1 FCL), tolerance,
 /// ns, median and maximum of the error of t; the array title; least and most (ns).
-constexpr std::string_view script = R"GP(
+constexpr std::string_view formulas = R"GP(
 array colour[2] = ['#0072B2', '#D55E00']
 pick(k, who, x) = column(1) == k && column(2) == who ? column(x) : NaN
 named(k) = column(1) == k && column(2) == 0 && (column(3) == 1e-3 || column(3) == 1e-6 || column(3) == 1e-9 || column(3) == 1e-12)
+)GP";
 
-do for [format in 'svg png'] {
-    if (format eq 'svg') {
-        set terminal svg size 1500,760 dynamic enhanced font 'DejaVu Sans,18' background '#ffffff'
-        large = ',25'; middle_size = ',21'; small = ',15'
-    } else {
-        set terminal pngcairo size 1500,760 enhanced font 'DejaVu Sans,14' background '#ffffff'
-        large = ',19'; middle_size = ',16'; small = ',12'
-    }
-    set output 'accuracy.' . format
+constexpr std::string_view drawing = R"GP(
     set multiplot
     unset key
     set label 1 headline at screen 0.5, 0.955 center font large
@@ -68,8 +64,6 @@ do for [format in 'svg png'] {
         unset label
     }
     unset multiplot
-    unset output
-}
 )GP";
 
 } // namespace
@@ -93,7 +87,7 @@ std::string accuracy_plot(const std::vector<AccuracyPoint>& points)
             "brink’s tolerance)'\n";
     text += fmt::format("least = {:.0f}\nmost = {:.0f}\n", 0.7 * least, 1.8 * most);
     text += fmt::format("array title[{}] = [{}]\n$points << END\n", titles.size(), fmt::join(titles, ", "));
-    return text + rows + "END\n" + std::string(script);
+    return text + rows + "END\n" + std::string(formulas) + in_both_formats("accuracy", sheet, drawing);
 }
 
 } // namespace brink::bench

@@ -43,6 +43,22 @@ std::string Output::draw(std::string_view stem, std::string_view script) const
 
 std::string Output::path_of(std::string_view name) const { return (folder_ / name).string(); }
 
+std::string in_both_formats(std::string_view stem, const Sheet& sheet, std::string_view drawing)
+{
+    const auto begin = [&](std::string_view terminal, const Letters& letters) {
+        return fmt::format(
+            "        set terminal {} enhanced {} font 'DejaVu Sans,{:g}' background '#ffffff'\n"
+            "        large = ',{}'; middle_size = ',{}'; small = ',{}'\n",
+            terminal, sheet.lines, letters.usual, letters.large, letters.middle, letters.small);
+    };
+    const std::string svg = fmt::format("svg size 1500,{} dynamic", sheet.height);
+    const std::string png = fmt::format("pngcairo size 1500,{}", sheet.height);
+    return fmt::format(
+        "\ndo for [format in 'svg png'] {{\n    if (format eq 'svg') {{\n{}    }} else {{\n{}    }}\n"
+        "    set output '{}.' . format\n{}    unset output\n}}\n",
+        begin(svg, sheet.svg), begin(png, sheet.png), stem, drawing);
+}
+
 std::string thousands(std::int64_t n)
 {
     return n < 1000 ? std::to_string(n) : fmt::format("{},{:03}", thousands(n / 1000), n % 1000);

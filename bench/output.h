@@ -28,6 +28,23 @@ private:
     std::filesystem::path folder_;
 };
 
+/// The sizes of a picture's letters, in points.
+struct Letters {
+    double usual = 0;
+    int large = 0, middle = 0, small = 0;
+};
+
+/// A picture 1500 pixels wide, once as SVG and once as PNG.
+struct Sheet {
+    int height = 760; // pixels
+    Letters svg, png;
+    std::string_view lines = "butt"; // their ends and corners, in gnuplot's words; or "rounded"
+};
+
+/// The part of a gnuplot script that draws <stem>.svg and <stem>.png: `drawing` twice, for which the fonts
+/// are called large, middle_size and small.
+std::string in_both_formats(std::string_view stem, const Sheet&, std::string_view drawing);
+
 /// 1234567 as "1,234,567"; n >= 0.
 std::string thousands(std::int64_t n);
 

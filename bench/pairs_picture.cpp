@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pairs_picture.h"
 
+#include "output.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace brink::bench {
 namespace {
 
-/// The bars and everything else but the figures. Wants stem, headline, bottom and top (ns), and $times: pair,
+constexpr Sheet sheet{.svg = {18, 25, 21, 15}, .png = {14, 19, 16, 12}};
+
+/// The bars and everything else but the figures. Wants headline, bottom and top (ns), and $times: pair,
 /// baseline, x86-64-v3, FCL, with -1 for none.
-constexpr std::string_view script = R"GP(
+constexpr std::string_view formulas = R"GP(
 array colour[3] = ['#56B4E9', '#0072B2', '#D55E00']
 array who[3] = ['brink, baseline x86-64', 'brink, x86-64-v3', 'FCL conservative advancement']
 tag(ns) = ns < 0 ? 'none' : ns < 1000 ? sprintf('%.0f', ns) : sprintf('%.1f µs', ns / 1000)
 height(ns) = ns < 0 ? 1.01 * bottom : ns
 place(i) = column(0) + 0.28 * (i - 2)
+)GP";
 
-do for [format in 'svg png'] {
-    if (format eq 'svg') {
-        set terminal svg size 1500,760 dynamic enhanced font 'DejaVu Sans,18' background '#ffffff'
-        large = ',25'; small = ',15'
-    } else {
-        set terminal pngcairo size 1500,760 enhanced font 'DejaVu Sans,14' background '#ffffff'
-        large = ',19'; small = ',12'
-    }
-    set output stem . '.' . format
+constexpr std::string_view drawing = R"GP(
     set title headline . ' (per query; lower is better)' font large
     set logscale y
     set yrange [bottom:top]
@@ -44,8 +41,6 @@ do for [format in 'svg png'] {
          for [i = 1:3] $times using (place(i)):(height(column(i + 1))):(tag(column(i + 1))) with labels \
              left rotate by 90 offset 0, 0.4 font small textcolor rgb '#333333' notitle, \
          $times using 0:(bottom / 10):xticlabels(1) with points notitle
-    unset output
-}
 )GP";
 
 } // namespace
@@ -53,7 +48,7 @@ do for [format in 'svg png'] {
 std::string pairs_plot(const std::vector<Timing>& timings, Turning turning, std::string_view stem)
 {
     const bool still = turning == Turning::none;
-    std::string text = fmt::format("# Draws ns per query: gnuplot {}.gp\nstem = '{}'\n", stem, stem);
+    std::string text = fmt::format("# Draws ns per query: gnuplot {}.gp\n", stem);
     text += fmt::format("headline = 'Time to first contact of two shapes that {}'\n",
                         still ? "only translate" : "turn by up to 60 degrees");
     text += fmt::format("bottom = {}\ntop = {}\n$times << END\n", still ? 10 : 100, 100'000);
@@ -71,7 +66,8 @@ std::string pairs_plot(const std::vector<Timing>& timings, Turning turning, std:
         }
         text += "\n";
     }
-    return bars > 0 ? text + "END\n" + std::string(script) : "";
+    if (bars == 0) return "";
+    return text + "END\n" + std::string(formulas) + in_both_formats(stem, sheet, drawing);
 }
 
 } // namespace brink::bench

@@ -13,24 +13,19 @@
 namespace brink::bench {
 namespace {
 
+constexpr Sheet sheet{.height = 820, .svg = {15, 25, 18, 13}, .png = {11.5, 19, 14, 10}};
+
 /// The panels and everything else but the figures. Wants headline, subline, verdict and $cells: class, solver
 /// (3 is on top), level from, to, decimal logarithm of the worst error in ulp (-1: nothing to compare), wrong
 /// decisions; and the arrays title, quantity, first, last; @ticks is replaced by the axis of panel k.
-constexpr std::string_view script = R"GP(
+constexpr std::string_view formulas = R"GP(
 array who[4] = ['FCL advancement', 'stable root', 'textbook root', 'brink']
 pick(k, known) = column(1) == k && (column(5) >= 0) == known ? column(2) : NaN
 middle(a, b) = 0.5 * (column(a) + column(b))
 columns = 5
+)GP";
 
-do for [format in 'svg png'] {
-    if (format eq 'svg') {
-        set terminal svg size 1500,820 dynamic enhanced font 'DejaVu Sans,15' background '#ffffff'
-        large = ',25'; middle_size = ',18'; small = ',13'
-    } else {
-        set terminal pngcairo size 1500,820 enhanced font 'DejaVu Sans,11.5' background '#ffffff'
-        large = ',19'; middle_size = ',14'; small = ',10'
-    }
-    set output 'stability.' . format
+constexpr std::string_view drawing = R"GP(
     set multiplot
     set palette defined (0 '#d3e9f7', 2 '#9ecae1', 4 '#fee391', 8 '#fe9929', 12 '#cc4c02', 16 '#5c1a05')
     set cbrange [0:16]
@@ -80,8 +75,6 @@ do for [format in 'svg png'] {
         unset colorbox
     }
     unset multiplot
-    unset output
-}
 )GP";
 
 constexpr std::array<Solver, 4> bottom_up{Solver::fcl, Solver::stable, Solver::textbook, Solver::brink};
@@ -210,7 +203,7 @@ std::string stability_plot(const Scores& scores)
     text += fmt::format("verdict = \"{}\"\n", verdict(scores));
     text += array("title", titles) + array("quantity", quantities) + array("first", firsts) +
             array("last", lasts);
-    std::string plot(script);
+    std::string plot = std::string(formulas) + in_both_formats("stability", sheet, drawing);
     std::string choose;
     for (std::size_t i = 0; i < tick_commands.size(); ++i)
         choose += fmt::format("        if (k == {}) {{ set xtics ({}) font small offset 0, 0.3 }}\n", i + 1,

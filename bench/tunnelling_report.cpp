@@ -46,10 +46,12 @@ void add_scene(fmt::memory_buffer& text, const std::vector<Row>& rows, const Sce
     }
 }
 
+constexpr Sheet sheet{.svg = {18, 27, 21, 15}, .png = {14, 21, 16, 12}, .lines = "rounded"};
+
 /// What stays the same whatever was measured. Reads tunnelling.csv, scene by scene and method by method;
 /// wants the headline and the arrays scene_name, scene_title, scene_unit, verdict, method_name and
 /// method_title.
-constexpr std::string_view script = R"GP(
+constexpr std::string_view formulas = R"GP(
 set datafile separator ','
 array colour[6] = ['#D55E00', '#E69F00', '#CC79A7', '#56B4E9', '#0072B2', '#007A5A']
 array mark[6] = [7, 5, 9, 4, 6, 0]
@@ -58,16 +60,9 @@ missed(s, m) = (strcol('scene') eq scene_name[s] && strcol('method') eq method_n
 left(s) = 0.08 + 0.315 * (s - 1)
 key_x(m) = 0.10 + 0.30 * ((m - 1) % 3)
 key_y(m) = m <= 3 ? 0.09 : 0.04
+)GP";
 
-do for [format in 'svg png'] {
-    if (format eq 'svg') {
-        set terminal svg size 1500,760 dynamic enhanced rounded font 'DejaVu Sans,18' background '#ffffff'
-        large = ',27'; middle = ',21'
-    } else {
-        set terminal pngcairo size 1500,760 enhanced rounded font 'DejaVu Sans,14' background '#ffffff'
-        large = ',21'; middle = ',16'
-    }
-    set output 'tunnelling.' . format
+constexpr std::string_view drawing = R"GP(
     set multiplot
     set logscale x
     set xrange [0.09:1150]
@@ -82,12 +77,12 @@ do for [format in 'svg png'] {
     do for [s = 1:3] {
         set lmargin at screen left(s)
         set rmargin at screen left(s) + 0.27
-        set label 1 scene_title[s] at graph 0.5, 1.06 center font middle
-        set label 2 verdict[s] at 0.13, -8.5 left textcolor rgb colour[6] font middle
+        set label 1 scene_title[s] at graph 0.5, 1.06 center font middle_size
+        set label 2 verdict[s] at 0.13, -8.5 left textcolor rgb colour[6] font middle_size
         set xlabel "distance moved in one step,\nas a multiple of " . scene_unit[s]
         if (s == 1) {
             set label 3 headline at screen 0.5, 0.95 center font large
-            set label 4 subline at screen 0.5, 0.895 center font middle textcolor rgb '#444444'
+            set label 4 subline at screen 0.5, 0.895 center font middle_size textcolor rgb '#444444'
             set ylabel 'true crossings missed' offset -0.5, 0
             set ytics format '%g %%'
             do for [m = 1:6] {
@@ -110,8 +105,6 @@ do for [format in 'svg png'] {
         set ytics format ''
     }
     unset multiplot
-    unset output
-}
 )GP";
 
 /// A gnuplot array: array name[n] = ["...", "..."]
@@ -186,7 +179,7 @@ std::string tunnelling_plot(const std::vector<Row>& rows)
     text += gnuplot_array("scene_name", names) + gnuplot_array("scene_title", titles) +
             gnuplot_array("scene_unit", units) + gnuplot_array("verdict", verdicts) +
             gnuplot_array("method_name", method_names) + gnuplot_array("method_title", method_titles);
-    return text + std::string(script);
+    return text + std::string(formulas) + in_both_formats("tunnelling", sheet, drawing);
 }
 
 } // namespace brink::bench

@@ -95,10 +95,9 @@ TEST_CASE("advancement: contact at the start, reported or left behind")
     CHECK(time_of_impact(cube, down, ground, resting(), blind).status == Status::separated);
 }
 
-TEST_CASE("advancement: leaves the ground by one edge and comes back with the next")
+TEST_CASE("advancement: a cube that rolls is separating only where it rises faster than its edge goes down")
 {
-    // A cube on the ground rises by 0.3 while it turns by a quarter: the corner it turns down meets the
-    // ground.
+    // On the ground, turning by a quarter in the step: the edge that it turns down sets out at pi / 2.
     Motion roll = turning(Vec3(0, 0, 1), Vec3(0, pi / 2, 0));
     roll.translation = Vec3(0, 0, 0.9);
     const Options look_on{.start_contact = StartContact::ignore_if_separating};

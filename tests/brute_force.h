@@ -10,7 +10,8 @@
 #include <vector>
 
 /// Distances of cores (radii left out) the long way round, in long double: every corner against every face,
-/// every edge against every edge, every axis. No cleverness, and no code shared with the library.
+/// every edge against every edge, every axis. No cleverness, and of the library only where a core has its
+/// corners.
 namespace brink::brute {
 
 using Real = long double;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
-#include "support/random.h"
+#include "two_bodies.h"
 
 #include <doctest/doctest.h>
 
@@ -19,62 +19,15 @@ Box random_box(Random& random)
     return {Vec3(x, y, z)};
 }
 
-Motion random_motion(Random& random, double reach)
-{
-    Motion m;
-    m.start.position = random.in_cube(reach);
-    m.start.orientation = random.rotation();
-    m.translation = random.in_cube(2);
-    const double turns = random.log_between(1e-3, 8);
-    const Vec3 axis = random.unit();
-    m.rotation = Vec3(turns * axis.x(), turns * axis.y(), turns * axis.z());
-    if (random.chance(0.5)) m.pivot = random.in_cube(1);
-    return m;
-}
-
-/// The separation along `axis` at time t, and everything a certificate asks for.
-struct Scene {
-    Mover<Core> a, b;
-
-    V3 offset(double t) const
-    {
-        return (b.position - a.position) + (b.arm - a.arm) + t * (b.translation - a.translation);
-    }
-    Separation at(double t) const
-    {
-        return separation(a.turned_to(t), placed(b.turned_to(t), {}, offset(t)));
-    }
-};
-
-struct Sample {
-    Core a, b;
-    V3 offset;
-    const Scene& scene;
-
-    Facing<Core> facing() const
-    {
-        return {{a, {}, scene.a.reach, scene.a.turn.rate, scene.a.turn.angle},
-                {b, offset, scene.b.reach, scene.b.turn.rate, scene.b.turn.angle},
-                scene.b.translation - scene.a.translation,
-                0};
-    }
-};
-
-Sample sample(const Scene& s, double t)
-{
-    const V3 offset = s.offset(t);
-    return {s.a.turned_to(t), placed(s.b.turned_to(t), {}, offset), offset, s};
-}
-
 /// At rest, glued to either body, or anything.
-V3 any_spin(Random& random, const Scene& s)
+V3 any_spin(Random& random, const TwoBodies<Core>& s)
 {
     const V3 any = load(random.in_cube(4));
     const int choice = random.index(4);
     return choice == 0 ? V3{} : choice == 1 ? s.a.turn.rate : choice == 2 ? s.b.turn.rate : any;
 }
 
-/// A shape of any bounded kind but a triangle, some of them flat or long.
+/// A segment, cylinder, cone, ellipsoid or, half of the time, a box: some of them flat or long.
 Shape random_shape(Random& random, int kind)
 {
     const double radius = random.log_between(0.01, 1), half_length = random.log_between(0.01, 2);
@@ -111,11 +64,11 @@ TEST_CASE("safe_step: no gap opens into contact within a certified step, whateve
     for (int i = 0; i < 40'000; ++i) {
         const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
         const Motion motion_a = random_motion(random, 3), motion_b = random_motion(random, 3);
-        const Scene scene{moving_core(a, motion_a), moving_core(b, motion_b)};
+        const TwoBodies<Core> scene{moving_core(a, motion_a), moving_core(b, motion_b)};
         const double t = random.between(0, 0.9);
         const bool best_axis = random.chance(0.7);
         const V3 any = load(random.unit()), spin = any_spin(random, scene);
-        const Sample s = sample(scene, t);
+        const Moment<Core> s(scene, t);
         const TurningAxis axis{best_axis ? scene.at(t).normal : any, spin};
         const double horizon = 1 - t;
         const Step step = safe_step(s.facing(), axis, horizon);
@@ -142,9 +95,9 @@ TEST_CASE("rising_step: the gap stays at or above where it was")
     for (int i = 0; i < 20'000; ++i) {
         const Box a = random_box(random), b = random_box(random);
         const Motion motion_a = random_motion(random, 1.5), motion_b = random_motion(random, 1.5);
-        const Scene scene{mover(a, motion_a), mover(b, motion_b)};
+        const TwoBodies<Core> scene{mover(a, motion_a), mover(b, motion_b)};
         const double t = random.between(0, 0.9);
-        const Sample s = sample(scene, t);
+        const Moment<Core> s(scene, t);
         const Separation now = scene.at(t);
         const V3 spin = any_spin(random, scene);
         const double step = rising_step(s.facing(), TurningAxis{now.normal, spin}, 1 - t);

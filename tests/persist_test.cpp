@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "persist.h"
-#include "support/random.h"
+#include "two_bodies.h"
 
 #include <doctest/doctest.h>
 
@@ -11,51 +11,15 @@ using support::Random;
 
 namespace {
 
-Motion random_motion(Random& random, double reach)
-{
-    Motion m;
-    m.start.position = random.in_cube(reach);
-    m.start.orientation = random.rotation();
-    m.translation = random.in_cube(2);
-    const double angle = random.log_between(1e-3, 8);
-    const Vec3 axis = random.unit();
-    m.rotation = angle * axis;
-    if (random.chance(0.5)) m.pivot = random.in_cube(1);
-    return m;
-}
-
-template <class Part> struct Scene {
-    Mover<Core> a;
-    Mover<Part> b;
-
-    V3 offset(double t) const
-    {
-        return (b.position - a.position) + (b.arm - a.arm) + t * (b.translation - a.translation);
-    }
-    Separation at(double t) const
-    {
-        return separation(a.turned_to(t), placed(b.turned_to(t), {}, offset(t)));
-    }
-    double contact_lasts(double t, double reach) const
-    {
-        const Core part_a = a.turned_to(t);
-        const Part part_b = placed(b.turned_to(t), {}, offset(t));
-        const Facing<Part> f{{part_a, {}, a.reach, a.turn.rate, a.turn.angle},
-                             {part_b, offset(t), b.reach, b.turn.rate, b.turn.angle},
-                             b.translation - a.translation,
-                             0};
-        return contact_step(f, separation(part_a, part_b), reach, 1 - t);
-    }
-};
-
 struct Tally {
     int lasting = 0, to_the_end = 0;
 };
 
 template <class Part>
-void check_lasting(const Scene<Part>& scene, double t, double reach, double gap, Tally& tally)
+void check_lasting(const TwoBodies<Part>& scene, double t, double reach, double gap, Tally& tally)
 {
-    const double step = scene.contact_lasts(t, reach);
+    const Moment<Part> moment(scene, t);
+    const double step = contact_step(moment.facing(), separation(moment.a, moment.b), reach, 1 - t);
     if (!(step > 0)) return;
     double most = -infinity;
     for (int k = 0; k <= 64; ++k)
@@ -85,7 +49,7 @@ TEST_CASE("contact_step: solid cores stay in contact, whatever they do")
         const Mover<Core> other = kind == 0   ? mover(cylinder, motion_b)
                                   : kind == 1 ? mover(cone, motion_b)
                                               : mover(ellipsoid, motion_b);
-        const Scene<Core> scene{moving, other};
+        const TwoBodies<Core> scene{moving, other};
         if (scene.at(t).gap < 0) check_lasting(scene, t, 0, 0, tally);
     }
     CHECK(tally.lasting > 1'200);
@@ -103,7 +67,7 @@ TEST_CASE("contact_step: radii and a target gap count")
         const Motion motion_a = random_motion(random, 0.6), motion_b = random_motion(random, 0.6);
         const double t = random.between(0, 0.9);
         CAPTURE(i);
-        const Scene<Core> scene{mover(a, motion_a), mover(b, motion_b)};
+        const TwoBodies<Core> scene{mover(a, motion_a), mover(b, motion_b)};
         if (scene.at(t).gap < gap) check_lasting(scene, t, 2 * radius + gap, gap, tally);
     }
     CHECK(tally.lasting > 2'000);
@@ -122,7 +86,7 @@ TEST_CASE("contact_step: planes and half-spaces")
         CAPTURE(i);
         const Mover<Border> border =
             i % 2 == 0 ? mover(Plane{normal, 0}, motion_b) : mover(HalfSpace{normal, 0}, motion_b);
-        const Scene<Border> scene{mover(box, motion_a), border};
+        const TwoBodies<Border> scene{mover(box, motion_a), border};
         if (scene.at(t).gap < 0) check_lasting(scene, t, 0, 0, tally);
     }
     CHECK(tally.lasting > 2'000);

@@ -1,39 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/print.h"
-#include "support/verdict.h"
-
-#if BRINK_HAVE_REFEREE
-#include "support/referee.h"
-#include "support/referee_turning.h"
-#endif
+#include "regressions.h"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 using namespace brink;
 using namespace brink::support;
-
-namespace {
-
-/// Every check that brink-fuzz makes, on one query. Paste what it prints into a test case here.
-void check(const Query& q)
-{
-    Trial trial(q);
-    CAPTURE(in_words(trial.toi()));
-    const bool referenced = std::max(q.a.index(), q.b.index()) <= 5; // the shapes that the reference knows
-    for (const Finding& finding : referenced ? judge(trial) : judge_alone(trial))
-        FAIL_CHECK(finding.check, ": ", finding.detail, "\n", as_cpp(q));
-#if BRINK_HAVE_REFEREE
-    for (const Finding& finding : rule(q, trial.toi()).findings)
-        FAIL_CHECK("referee: ", finding.check, ": ", finding.detail, "\n", as_cpp(q));
-    if (!refereed(q)) return;
-    for (const Finding& finding : verify(q, trial.toi()))
-        FAIL_CHECK("in 200 digits: ", finding.check, ": ", finding.detail, "\n", as_cpp(q));
-#endif
-}
-
-} // namespace
+using brink::tests::check;
 
 TEST_CASE("regression: parallel capsules in a rotated frame, whose axes differ by rounding alone")
 {
@@ -66,102 +38,6 @@ TEST_CASE("regression: a sphere grazes a triangle that is nearly a segment")
                          Vec3(0x1.a1e0d43ff9eacp-2, 0x1.8b3e1e434a1bep+0, -0x1.fa2370aca3b52p-1)},
                 Motion{Pose{}, Vec3(-0x1.23bf6e0e556c6p+0, 0x1.137531576667ep+0, -0x1.180d9db9494d2p+0)},
                 Options{}});
-}
-
-TEST_CASE("regression: touching at the start but for rounding, and approaching")
-{
-    // Was `undecided` after 256 steps of rounding, which together went 6e-14 past contact.
-    check(Query{Capsule{Vec3(-0x1.c290b9ad6a20ep-1, -0x1.95862363a6d5cp-2, 0x1.5e9c16412462cp-1),
-                        Vec3(0x1.a554180722cbp-2, -0x1.ae072b418f816p-1, -0x1.2c609f1d6acp-1),
-                        0x1.9e6ad208bc7b6p-2},
-                Motion{Pose{Vec3(-0x1.b692e8c85df4p-5, 0x1.75df0014316fp-6, -0x1.0a320e1a61089p-1),
-                            Quat(-0x1.6de686124835ep-1, -0x1.84aa8441e84afp-7, 0x1.41fd26e8a7c4fp-1,
-                                 0x1.3959b4c197ae1p-2)},
-                       Vec3(0x1.f6906c19e7eb1p-7, 0x1.a5d18dd7384e9p-4, 0x1.e984c14172cffp-4),
-                       Vec3(-0x1.accb8bd05408fp+0, 0x1.83cf4a9170877p-1, 0x1.686a9948bdd1dp+1)},
-                Triangle{Vec3(-0x1.7edeb0b5ca9bep-1, -0x1.3136462e812dep+0, 0x1.4c6f8ab4768edp+0),
-                         Vec3(0x1.5d6729096e0ap-5, 0x1.4a83baf68f18fp+0, -0x1.22b3f09c4ed7ep+0),
-                         Vec3(0x1.20d2baa0d0b68p-3, 0x1.99a25fd4964c6p+0, -0x1.704185e6350bbp+0)},
-                Motion{Pose{Vec3(-0x1.51d62a204645cp-2, 0x1.56b2d365f5f14p-2, -0x1.8b1a8902ad1ep-2),
-                            Quat(0x1.6a09e667f3bcdp-1, 0, 0, 0x1.6a09e667f3bcdp-1)},
-                       Vec3(-0x1.44a45918b42dfp-3, -0x1.107b8fcfaa1d6p+0, -0x1.3c3704dbd61c2p+0)},
-                Options{1, 0, 1e-6, StartContact::report, Detail::contact, 256}});
-}
-
-TEST_CASE("regression: contact at the start, to be ignored, is left for a four-hundredth of the step")
-{
-    // Was `separated`: the gap exceeds zero, by 0.0013 at most, from t = 0.8957 to 0.8979 and then falls to
-    // -0.07.
-    check(Query{Triangle{Vec3(-0x1.fa3744d31652ap-2, 0x1.e87731c451b7p-2, 0x1.347b272b65a34p-2),
-                         Vec3(-0x1.736918701c56p-5, 0x1.18cb08b1ae378p-2, -0x1.383225503da95p-1),
-                         Vec3(-0x1.d930dab799812p-1, -0x1.662235e83821dp-1, -0x1.2bb4535653f38p-3)},
-                Motion{Pose{Vec3(-0x1.06ab6d551296ep+1, -0x1.fd6be4c3bc63cp-3, -0x1.22d217744901bp+1),
-                            Quat(0x1.64e85fed26255p-2, -0x1.aa6dd58918558p-1, 0x1.6f24b6153cde7p-3,
-                                 -0x1.9028c3720bce1p-2)},
-                       Vec3(0x1.c02f877c3a2b3p+0, 0x1.e2983faa66c5ep-1, 0x1.dd784d6356c7cp+1),
-                       Vec3(-0x1.18e32c3a64dacp-2, 0x1.9820545d6dadp-4, -0x1.fb066edc19546p+1)},
-                Plane{Vec3(0, 0, -1), 0x1.ea131f02790c8p-3},
-                Motion{Pose{Vec3(-0x1.b0b2c26ae5e8cp-1, 0x1.6faea5369608p-7, 0x1.b44de83766ec8p-1),
-                            Quat(-0x1.fbfdd64b6911ap-2, -0x1.7947b56402902p-1, 0x1.5741a1abd43f4p-3,
-                                 -0x1.b5d6d9de46c6ap-2)}},
-                Options{1, 0, 1e-9, StartContact::ignore, Detail::contact, 256}});
-}
-
-TEST_CASE("regression: an edge that leaves the side of a capsule while it turns along it")
-{
-    // Was `hit` at 0: no axis at rest or glued to a body shows that they part.
-    check(Query{
-        Capsule{Vec3(-0x1.9c90d0e702beap-1, -0x1.210d57962277p-3, -0x1.979c5323baa2ep-1),
-                Vec3(0x1.7544b22aea7bp-2, -0x1.ce8be6aeea112p-1, 0x1.9f1e67b35dbb6p-1), 0x1.8aa06ff51ec15p-2},
-        Motion{Pose{Vec3(-0x1.2ead878b0fb5ap-3, -0x1.8903370b4dfdfp-2, 0x1.48423b33655b6p-2),
-                    Quat(0x1.6a09e667f3bcdp-1, 0, -0x1.6a09e667f3bcdp-1, 0)},
-               Vec3(-0x1.14fd900b5ade2p+1, -0x1.61835828def5cp+0, -0x1.1753c8880a9bp-1), Vec3(0, 0, 0),
-               Vec3(0, 0, 0)},
-        Box{Vec3(0x1.7b433fb52e91dp-1, 0x1.051209d0b0ba2p-5, 0x1.72341cb0f4c4cp-2)},
-        Motion{Pose{Vec3(0, 0, 0), Quat(-0x1.34e3652be5634p-1, 0x1.28820abd62461p-1, -0x1.5f0af9bd7ffcp-2,
-                                        -0x1.b63617f42c69p-2)},
-               Vec3(-0x1.4fbc6c2f1699cp-1, 0x1.0c5c97e01a5b4p+0, -0x1.b5bbb1a50588p+0),
-               Vec3(0, 0, 0x1.3ea1e67af261cp+1),
-               Vec3(-0x1.38c656a72a80ep-3, -0x1.34920e40add44p-2, 0x1.8f54c4df799aep-2)},
-        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating, Detail::contact, 256}});
-}
-
-TEST_CASE("regression: contact at the start that parts, comes back a little and parts again")
-{
-    // Was `separated`: steps so long that the gap could rise and fall again within one.
-    check(Query{
-        Box{Vec3(0x1.69f05c8ec25eap-1, 0x1.cdb44e8d05551p-1, 0x1.0cf9406121f6ep-1)},
-        Motion{Pose{Vec3(-0x1.d12f3a6fac205p-2, 0x1.493fc760725bp-5, 0x1.1e61a8b2c6cbp+0),
-                    Quat(-0x1.a0c878819ead5p-1, -0x1.6a4757adfb24bp-4, 0x1.0e66ae431d5aep-1,
-                         0x1.ccc102cf71be1p-3)},
-               Vec3(0x1.1adf5b96ef15p-3, -0x1.9eacc83e02bbbp+0, -0x1.3bcea42d5662dp-1), Vec3(0, 0, 0),
-               Vec3(0, 0, 0)},
-        Box{Vec3(0x1.09305e1a132ap+0, 0x1.1dcf3126e01f4p-3, 0x1.5717b5a787969p-2)},
-        Motion{Pose{Vec3(-0x1.c1bff2a1a4bap-3, -0x1.753a52c2e84ap-3, 0x1.7a4452e96ac74p-1), Quat(1, 0, 0, 0)},
-               Vec3(-0x1.a1c60cb87dabcp-1, -0x1.7c3abd9edcda5p+0, -0x1.d3d11fc74c2f9p-1),
-               Vec3(0x1.04760f124f614p-4, 0x1.894e9c2157602p-3, -0x1.6096942582f2p-1),
-               Vec3(0x1.543dbde7f67cp-4, -0x1.9c9da70600478p-4, -0x1.85ad9a2c49f14p-2)},
-        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating, Detail::contact, 256}});
-}
-
-TEST_CASE("regression: an edge leaves the rim of a face whose plane it crosses elsewhere")
-{
-    // Was `hit` at 0: the face's own normal does not show that they part.
-    check(Query{Triangle{Vec3(-0x1.f2281d6cd93dap-1, -0x1.122b998c171c8p-2, 0x1.1c98ba674539ap-1),
-                         Vec3(0x1.50cbcf35b3e14p-2, 0x1.27e0eb1c0c847p+0, -0x1.e6e6df0551538p-1),
-                         Vec3(0x1.486dba349519ep-3, 0x1.f1a87995b818ap-1, -0x1.831b25c49d12p-1)},
-                Motion{Pose{Vec3(-0x1.6c113422a24eap-2, 0x1.5203bc88c898p-8, -0x1.6c3c18a91dfadp-2),
-                            Quat(0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1, 0, 0)},
-                       Vec3(0x1.978fdd83c5101p+0, 0x1.68404645882ebp+2, -0x1.01ec4a94a1cf8p+2), Vec3(0, 0, 0),
-                       Vec3(0, 0, 0)},
-                Triangle{Vec3(-0x1.d6ac96dd7ff3p-4, -0x1.3dbdb5c67ca0ep+0, -0x1.234b9912109f6p-1),
-                         Vec3(-0x1.2c2f69efae4b9p-1, 0x1.a012719908af8p-3, 0x1.4137f2a2fd5f8p-1),
-                         Vec3(-0x1.6ed02fe3d1dbbp-1, 0x1.342a9fc218077p-1, 0x1.ea4f93a8b2017p-1)},
-                Motion{Pose{Vec3(0, 0, 0), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0),
-                       Vec3(0x1.6ee97d176272cp+3, -0x1.3e59a03342b44p+3, 0x1.d23de44f8a325p+0),
-                       Vec3(-0x1.42b9328b87cd8p-3, -0x1.21d44f5d1c33dp-1, 0x1.12e7f206e8b2cp-2)},
-                Options{1, 0x1.99edba2a42926p-2, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating,
-                        Detail::contact, 256}});
 }
 
 TEST_CASE("regression: a face without area to speak of")
@@ -224,19 +100,6 @@ TEST_CASE("regression: t from a bracket that ends at t_max is t from one that do
     CHECK(answer(bounded).status == Status::hit);
 }
 
-TEST_CASE("regression: a gap in contact that falls by less than rounding is not called separating")
-{
-    Query q{Sphere{3},
-            Motion{Pose{Vec3(-9, -8, 7)},
-                   Vec3(-0x1.f1c71c71c71c6p+1, -0x1.9c71c71c71c72p+2, -0x1.c71c71c71c71dp+2)},
-            Sphere{0},
-            Motion{Pose{Vec3(-7, -7, 5)}},
-            {}};
-    q.options.start_contact = StartContact::ignore_if_separating;
-    CHECK(answer(q).status == Status::touching);
-    check(q);
-}
-
 TEST_CASE("regression: a sphere deeper in a box than its radius by half a rounding, on its way out")
 {
     // Answered `separated` when the guess has a hundredth of its margin (mutations.sh).
@@ -252,48 +115,4 @@ TEST_CASE("regression: a sphere deeper in a box than its radius by half a roundi
                        Vec3(0x1.762dfddfc2a7p+0, -0x1.5ce4b8641c81ap-1, -0x1.78a3024eb3c5dp-1), Vec3(0, 0, 0),
                        Vec3(0, 0, 0)},
                 Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
-}
-
-TEST_CASE("regression: a start that rounding cannot tell from contact, which is then to be ignored")
-{
-    // Were left like contact and answered `separated`, though contact comes at 1e-15.
-    check(Query{
-        Box{Vec3(0x1.7da34d150b672p-1, 0x1.18501609b36a2p+0, 0)},
-        Motion{
-            Pose{Vec3(-0x1.1046d34c107aep-2, 0x1.8184dc5139006p+0, -0x1.7c1e9ed6c6de4p+0), Quat(1, 0, 0, 0)},
-            Vec3(-0x1.1f7ab22556346p+0, -0x1.cd263f492519cp+0, 0x1.424e1e2cf14b8p-1), Vec3(0, 0, 0),
-            Vec3(0, 0, 0)},
-        Triangle{Vec3(-0x1.1275cf2ace77p-1, 0x1.4c1ae8e1bdec9p+0, -0x1.4905a5fbe8d87p+0),
-                 Vec3(-0x1.236eef167a623p+0, 0x1.a30dc03bdc516p-1, -0x1.b4619b1b5d9bap-1),
-                 Vec3(-0x1.f0c4248d0287p-4, -0x1.0882a6a7d1f5p-2, 0x1.1f5f2a63cbe18p-1)},
-        Motion{Pose{Vec3(0, 0, 0), Quat(1, 0, 0, 0)},
-               Vec3(-0x1.2e799d9b2d23ap+1, 0x1.c74ee6aa81a6p-4, -0x1.7bc2154de872ep+1), Vec3(0, 0, 0),
-               Vec3(0, 0, 0)},
-        Options{1, 0x1.98c7c6d6f0224p-3, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
-    check(Query{Box{Vec3(0x1.18653b10f84d1p-1, 0x1.1188efcf1fdb9p+0, 0x1.db8eff4f5e2b2p-3)},
-                Motion{Pose{Vec3(0x1.7aa8fb9b4f657p-3, -0x1.b42a4271e2f08p-4, 0x1.4cc909360e6dep+2),
-                            Quat(0x1.776aeb5df2011p-2, -0x1.a959c91a7fbcdp-6, 0x1.ce3c2c7b4379p-3,
-                                 -0x1.cdedf6ab0c35ep-1)},
-                       Vec3(0x1.a4b01476d3beep-1, -0x1.11170c68029c9p+1, -0x1.17823b786a438p+3),
-                       Vec3(0, 0, 0), Vec3(0, 0, 0)},
-                Cone{0x1.dc274b3374826p-1, 0x1.418950df73c17p-1},
-                Motion{Pose{Vec3(-0x1.2d124f3bc178p-6, -0x1.72a89a10cf9f6p-1, 0x1.a1402e75a54ecp-1),
-                            Quat(0x1.ec36fa9fe3891p-6, 0x1.828e809e17a0ap-8, -0x1.ded215f9a095p-1,
-                                 -0x1.694536ed03788p-2)},
-                       Vec3(-0x1.53be4f1008682p-1, 0x1.b916f7e4c8f57p+0, 0x1.c37501c98aa5ap+2), Vec3(0, 0, 0),
-                       Vec3(0, 0, 0)},
-                Options{0x1.7544a99f15488p-2, 0x1.49ecfb49a66cep+1, 0x1.12e0be826d695p-30,
-                        StartContact::ignore, Detail::contact, 256}});
-    check(Query{
-        HalfSpace{Vec3(-0x1.c004026d3d7a7p-2, 0x1.e97d894190e7dp-5, -0x1.cb60e16d7dbebp-1),
-                  -0x1.54278226d06cp-4},
-        Motion{Pose{Vec3(0x1.a196a2a0c86ap-1, -0x1.547fb0a5c5ebdp+0, 0x1.7dca3d0f92143p-1),
-                    Quat(-0x1.57bd5p-5, 0x1.69a4fcp-1, -0x1.6085ecp-1, 0x1.458804p-3)},
-               Vec3(0x1.5fcf87b344a72p+1, 0x1.4e8e4596be68cp+0, 0x1.ab3c77f2a32acp-1), Vec3(0, 0, 0),
-               Vec3(0, 0, 0)},
-        Hull::from_points(std::vector<Vec3>{Vec3(0x1p-2, 0x1p-1, -0x1p-2), Vec3(0, -1, 0x1.8p-1),
-                                            Vec3(1, -0x1p-2, 0x1p-1)}),
-        Motion{Pose{Vec3(0, 0, 0), Quat(0x1.6a09e667f3bcdp-1, 0, 0, 0x1.6a09e667f3bcdp-1)}, Vec3(0, 0, 0),
-               Vec3(0, 0, 0), Vec3(0, 0, 0)},
-        Options{1, 0x1.47a78197155cap-1, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
 }

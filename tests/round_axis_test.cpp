@@ -48,13 +48,15 @@ TEST_CASE("locally best axis: upright on the ridge where two cylinders cross, si
         const LocalTop found = locally_best(a, b, {gap_along(a, b, start), start}, 32 * eps);
         CAPTURE(i);
         CHECK(found.axis.gap <= gap + 8 * eps);
-        CHECK(found.axis.gap >= gap_along(a, b, start) - 64 * eps);
+        CHECK(found.axis.gap >= gap - 32 * eps);
+        CHECK(found.top);
     }
 }
 
 TEST_CASE("locally best axis: never worse than the one given, whatever the cores")
 {
     SolidCores cores(143);
+    int better = 0;
     for (int i = 0; i < 4'000; ++i) {
         const auto [a, b] = cores.pair(i % 3, i / 3 % 8);
         const V3 start = load(cores.random.unit());
@@ -63,5 +65,7 @@ TEST_CASE("locally best axis: never worse than the one given, whatever the cores
         CAPTURE(i);
         CHECK(found.axis.gap >= gap_along(a, b, start) - slack);
         CHECK(found.axis.gap == gap_along(a, b, found.axis.normal));
+        better += found.axis.gap > gap_along(a, b, start) + 1e-3 * size;
     }
+    CHECK(better > 3'500);
 }

@@ -32,6 +32,8 @@ public:
     /// Four points that do not lie in a plane.
     explicit ExpandingPolytope(const Corner (&first)[4]);
 
+    /// How many places there are for faces: those that are gone name one corner three times.
+    int places() const { return face_count_; }
     Face& face(int i) { return faces_[i]; }
     /// The face that is nearest to the origin, or the farthest before it, and not final; -1 where all are.
     int nearest() const;

@@ -19,8 +19,8 @@ struct Fingerprint {
 };
 
 /// The pairs of the table in turn, each in both orders, one in four with Detail::time_only: as many of each
-/// pair, so that 9/55 are closed forms (a tenth of which turn and are advanced), 43/55 are advanced and 3/55
-/// are two unbounded bodies.
+/// pair, so that 9/55 are of a closed_form() pair (a tenth of which turn), 43/55 of others (half of which
+/// turn) and 3/55 are two unbounded bodies.
 Query mixed_query(std::uint64_t index);
 
 /// Asks mixed_query(from) to mixed_query(to - 1) in order, going on from an earlier fingerprint.

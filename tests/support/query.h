@@ -39,7 +39,9 @@ struct Pair {
     bool unbounded() const;
     /// Whether the dense reference judges it: two of sphere, capsule, box, triangle, plane and half-space.
     bool has_reference() const;
-    /// Whether the pair has a closed form under translation.
+    /// Whether it is one of the nine pairs whose translations the referee knows in closed form: sphere
+    /// against what has a reference, capsule against capsule and ground. (The library has closed forms of
+    /// more.)
     bool closed_form() const;
 };
 

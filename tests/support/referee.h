@@ -4,7 +4,7 @@
 #include "digits.h"
 #include "verdict.h"
 
-/// Every closed form under translation once more, feature by feature in 200 digits: who is right where
+/// Every closed_form() pair under translation once more, feature by feature in 200 digits: who is right where
 /// doubles (or the long double reference) cannot tell. Shares no code with brink or with the reference.
 namespace brink::support {
 

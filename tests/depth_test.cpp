@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "depth.h"
+#include "solid_cores.h"
+#include "support/solid.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace brink;
+using support::Random;
+
+namespace {
+
+using Real = long double;
+using Real3 = support::Vector<Real>;
+
+Real3 real(V3 v) { return {v.x, v.y, v.z}; }
+
+/// How far a point must go to leave a body: the least way to a supporting plane, over directions at random
+/// and those of faces, the nearest line of a side among them. Negative outside.
+Real way_out(Random& random, const Shape& shape, const Quat& turned, V3 at, V3 point)
+{
+    const auto solid = support::solid<Real>(shape);
+    const auto axes = support::rotation_of<Real>(turned);
+    const auto body = support::placed(solid, real(at), axes);
+    const Real3 p = real(point), local = support::transposed_times(axes, p - real(at));
+    Real least = infinity;
+    const auto ask = [&](Real3 n) {
+        if (norm(n) > 0) least = std::min(least, dot(n, body.support(n) - p) / norm(n));
+    };
+    for (const Real3 axis : {axes.x, axes.y, axes.z})
+        ask(axis), ask(-axis);
+    const Real3 outwards{local.x, local.y, 0};
+    ask(axes * outwards);
+    ask(axes * (2 * solid.half_length * outwards + Real3{0, 0, solid.girth * norm(outwards)}));
+    for (int i = 0; i < 200; ++i)
+        ask(real(load(random.unit())));
+    return least;
+}
+
+struct Sample {
+    Shape shape;
+    Core local;
+    V3 size;
+};
+
+/// A box, cylinder, cone or ellipsoid.
+Sample solid_shape(SolidCores& draw, int kind)
+{
+    const double x = draw.size(), y = draw.size(), z = draw.size();
+    if (kind == 0) return {Box{{x, y, z}}, core(Box{{x, y, z}}), {x, y, z}};
+    if (kind == 1) return {Cylinder{z, x}, core(Cylinder{z, x}), {x, x, z}};
+    if (kind == 2) return {Cone{z, x}, core(Cone{z, x}), {x, x, z}};
+    return {Ellipsoid{{x, y, z}}, core(Ellipsoid{{x, y, z}}), {x, y, z}};
+}
+
+} // namespace
+
+TEST_CASE("depth: no direction leads out sooner, and none does outside")
+{
+    SolidCores draw(91);
+    int inside[4] = {}, outside = 0;
+    for (int i = 0; i < 12'000; ++i) {
+        const int kind = i % 4;
+        const Sample s = solid_shape(draw, kind);
+        const Quat turned = draw.random.rotation();
+        const V3 at = load(draw.random.in_cube(3)), u = load(draw.random.in_cube(1.1));
+        const V3 p = at + rotation(turned) * V3{u.x * s.size.x, u.y * s.size.y, u.z * s.size.z};
+        const double found = depth(placed(s.local, rotation(turned), at), p);
+        const Real truth = way_out(draw.random, s.shape, turned, at, p);
+        CAPTURE(i);
+        if (truth < 0) CHECK(!(found > 1e-14));
+        outside += truth < 0;
+        if (!(found > 1e-14)) continue;
+        CHECK(found <= truth + 1e-14);
+        if (kind < 3) CHECK(found >= truth - 1e-14);
+        ++inside[kind];
+    }
+    for (const int count : inside)
+        CHECK(count > 400);
+    CHECK(outside > 3'000);
+}
+
+TEST_CASE("depth: by hand, from the centre outwards")
+{
+    const Core box = core(Box{{1, 2, 3}}), cylinder = core(Cylinder{2, 1.5});
+    CHECK(depth(box, {}) == 1);
+    CHECK(depth(box, {0, -1.75, 0}) == 0.25);
+    CHECK(depth(box, {0, 0, 3}) == 0);
+    CHECK(depth(box, {0, 0, -3.5}) == -0.5);
+    CHECK(depth(cylinder, {0, -1, 0}) == 0.5);
+    CHECK(depth(cylinder, {0, 0, 1.75}) == 0.25);
+    CHECK(depth(cylinder, {3, 4, 0}) == -3.5);
+
+    // 3 high, 1.25 wide at the base: the side falls by 12 over 5, and the sine at the apex is 5 / 13.
+    const Core cone = core(Cone{1.5, 1.25});
+    CHECK(depth(cone, {0, 0, -1.25}) == 0.25);
+    CHECK(depth(cone, {0, 0, 1.5 - 1.3}) == doctest::Approx(0.5));
+    CHECK(depth(cone, {0.625, 0, 0}) == doctest::Approx(0));
+    CHECK(depth(cone, {0, 0, 2}) < 0);
+
+    CHECK(depth(core(Ellipsoid{{1, 2, 3}}), {}) == 1);
+    CHECK(depth(core(Ellipsoid{{2, 2, 2}}), {0, 1.5, 0}) == doctest::Approx(0.5));
+    CHECK(depth(core(Ellipsoid{{1, 2, 3}}), {0, 2.5, 0}) < 0);
+}
+
+TEST_CASE("depth: none of what has no inside, or faces that are not known")
+{
+    SolidCores draw(92);
+    CHECK(depth(core(Sphere{1}), {}) == -infinity); // its core is a point
+    for (const int kind : {3, 6, 7})
+        CHECK(depth(draw.local(kind), {}) == -infinity);
+}
