@@ -39,23 +39,14 @@ Edges edges_across(const Core& body, V3 axis)
     return edges;
 }
 
-/// What an axis proves: that the gap does not fall, or that it stays open.
-enum class Claim : unsigned char { rising, open };
-
-template <class Part>
-double proven(Claim claim, const Facing<Part>& f, const TurningAxis& axis, double horizon)
+/// The longest time over which some axis proves that the gap does not fall: at rest, glued to A, glued to B,
+/// and following the edges that touch.
+double rising(const Facing<Core>& f, V3 normal, double horizon)
 {
-    return claim == Claim::rising ? rising_step(f, axis, horizon) : safe_step(f, axis, horizon).length;
-}
-
-/// The longest time over which some axis proves the claim: at rest, glued to A, glued to B, and following the
-/// edges that touch.
-double longest(Claim claim, const Facing<Core>& f, V3 normal, double horizon)
-{
-    double h = proven(claim, f, TurningAxis{normal, {}}, horizon);
+    double h = rising_step(f, TurningAxis{normal, {}}, horizon);
     const auto better = [&](V3 spin) {
         if (!(spin == V3{}) && h < horizon)
-            h = std::max(h, proven(claim, f, TurningAxis{normal, spin}, horizon));
+            h = std::max(h, rising_step(f, TurningAxis{normal, spin}, horizon));
     };
     better(f.a.rate);
     better(f.b.rate);
@@ -67,9 +58,9 @@ double longest(Claim claim, const Facing<Core>& f, V3 normal, double horizon)
             better(axis_between(of_a.feature[i], f.a.rate, of_b.feature[k], f.b.rate, normal, normal).spin);
     return h;
 }
-double longest(Claim claim, const Facing<Border>& f, V3 normal, double horizon)
+double rising(const Facing<Border>& f, V3 normal, double horizon)
 {
-    return proven(claim, f, TurningAxis{normal, f.b.rate}, horizon);
+    return rising_step(f, TurningAxis{normal, f.b.rate}, horizon);
 }
 
 /// Whether the gap is proven not to decrease as two bodies translate: its rate is more than rounding, or zero
@@ -98,8 +89,6 @@ private:
     double gap() const { return now_.gap - course_.options.target_gap; }
     double step_away() const;
     double step_in_contact() const;
-    bool recedes() const;
-    std::optional<Toi> clear_of_contact();
     std::optional<Toi> move(double step, double t_end);
     std::optional<Toi> beyond() const
     {
@@ -139,7 +128,7 @@ template <class Part> double Leaving<Part>::step_away() const
     const double shallow = tolerance::watchful * -gap() / course_.fastest,
                  left = course_.window.end - course_.now();
     const double least = std::min(course_.tolerance / course_.fastest, tolerance::small_part * left);
-    const double way = longest(Claim::rising, course_.facing(), now_.normal, left);
+    const double way = rising(course_.facing(), now_.normal, left);
     if (!(way >= least)) return 0;
     return gap() < -course_.tolerance ? std::min(way, shallow) : way;
 }
@@ -152,31 +141,6 @@ template <class Part> double Leaving<Part>::step_in_contact() const
     return std::max(lasting, std::max(-gap(), course_.tolerance) / course_.fastest);
 }
 
-template <class Part> bool Leaving<Part>::recedes() const
-{
-    return closing_speed(course_.facing(), TurningAxis{now_.normal, {}}) <=
-           tolerance::rate_slack * course_.fastest;
-}
-
-/// A body within the tolerance that does not come nearer, though no axis proves that: a few steps over which
-/// it stays apart may lead beyond the tolerance. An answer where they do not: a hit where they began.
-template <class Part> std::optional<Toi> Leaving<Part>::clear_of_contact()
-{
-    const double t_max = course_.options.t_max;
-    const Toi stuck = course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
-    const bool tried = recedes();
-    for (int i = 0; tried && i < tolerance::most_beside; ++i) {
-        const double left = course_.window.end - course_.now();
-        const double step = std::max(longest(Claim::rising, course_.facing(), now_.normal, left),
-                                     longest(Claim::open, course_.facing(), now_.normal, left));
-        if (!(step > 0)) break;
-        const std::optional<Toi> end = move(step, 1);
-        if (end && end->status == Status::undecided) break;
-        if (end || gap() > course_.tolerance) return end;
-    }
-    return stuck;
-}
-
 /// It does not look at t_max, on which `touching` must not depend.
 template <class Part> std::optional<Toi> Leaving<Part>::run()
 {
@@ -186,10 +150,7 @@ template <class Part> std::optional<Toi> Leaving<Part>::run()
         const bool deep = blind_ && !apart_ && gap() < -tolerance;
         double step = deep ? step_in_contact() : step_away();
         if (step == 0) {
-            if (apart_) {
-                if (const std::optional<Toi> end = clear_of_contact()) return end;
-                break;
-            }
+            if (apart_) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
             if (!blind_) return touching();
             step = step_in_contact();
         }

@@ -118,9 +118,6 @@ inline constexpr double stale_features = 0.5;
 /// How much of the time in which a deep contact could end is passed before it is looked at again.
 inline constexpr double watchful = 0.25;
 
-/// Looks at a body that hovers within the tolerance, before it is called a hit: a guess.
-inline constexpr int most_beside = 32;
-
 /// How deep in roundings a time is tried at which contact is to be proven: first as little as may show, then
 /// enough for features that slip.
 inline constexpr double shallow = 8;
