@@ -69,3 +69,25 @@ TEST_CASE("locally best axis: never worse than the one given, whatever the cores
     }
     CHECK(better > 3'500);
 }
+
+TEST_CASE(
+    "locally best axis: round cores about to touch are told to a few roundings, edges and generators too")
+{
+    SolidCores cores(144);
+    int asked = 0, wide = 0;
+    for (int i = 0; i < 12'000; ++i) {
+        auto [a, b] = cores.pair(i % 3, i / 3 % 8);
+        b = placed(b, {}, 8 * load(cores.random.unit()));
+        for (const double apart : {1e-6, cores.random.log_between(1e-14, 1e-10)}) {
+            const Separation s = separation(a, b);
+            b = placed(b, {}, (apart - s.gap) * s.normal);
+        }
+        const Separation s = separation(a, b);
+        if (!(s.gap > 0)) continue;
+        ++asked;
+        wide += s.gap - gap_along(a, b, s.normal) > 64 * eps * (reach(a) + reach(b));
+    }
+    CAPTURE(wide);
+    CHECK(asked > 11'000);
+    CHECK(wide < asked / 200);
+}

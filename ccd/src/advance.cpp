@@ -111,9 +111,8 @@ template <class Part> Step Advance<Part>::best_step() const
 template <class Part> bool Advance<Part>::stale(const Step& step)
 {
     if (followed_ == 0) return false;
-    if (!(step.gap > 0) || step.gap > tolerance::slow_step * last_gap_ ||
-        followed_ > tolerance::most_followed)
-        return true;
+    const bool slow = !(step.gap > 0) || step.gap > tolerance::slow_step * last_gap_;
+    if (slow || followed_ > tolerance::most_followed) return true;
     if (!(step.gap < tolerance::worth_landing * seen_gap_)) return false;
     seen_gap_ = step.gap;
     watch_.land(course_.facing(), sight_);

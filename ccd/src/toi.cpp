@@ -9,6 +9,7 @@
 #include "portal_cast.h"
 #include "rescale.h"
 #include "tolerance.h"
+#include "window.h"
 
 #include <algorithm>
 #include <array>
@@ -79,9 +80,8 @@ constexpr bool in_whole_numbers = (is_one_of<A, Sphere> && is_one_of<B, Sphere, 
                                   (is_one_of<A, Sphere, Capsule, Box, Triangle> &&
                                    is_one_of<B, Plane, HalfSpace>);
 
-/// What a closed form left in doubt. Where there are no exact numbers, the advancement. Otherwise a start
-/// that a witness pair proves in contact is left to it; anything else is asked in exact numbers, and what
-/// even those cannot hold is a hit that may not be one.
+/// What a closed form left in doubt. Where there are no exact numbers, the advancement. Otherwise a start that
+/// witnesses prove in contact is left to it; all else is for exact numbers, or a hit that may not be one.
 template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const Approach& m, const Entry& e)
 {
     if constexpr (!in_whole_numbers<A, B>) return solve_turning<A, B>(q);
@@ -134,14 +134,17 @@ bool begins_in_contact(const Query& q)
 
 template <class A, class B> Toi solve_turning(const Query& q)
 {
-    const A& a = as<A>(q.a);
-    const B& b = as<B>(q.b);
+    const auto a = part(as<A>(q.a));
+    const auto b = part(as<B>(q.b));
     const StartOracle oracle{*q.given, in_whole_numbers<A, B> ? &begins_in_contact : nullptr};
-    const int e = exponent_to_usual(a, b, q);
-    if (e == 0) return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options, oracle);
-    const auto near_1_a = mover(scaled(part(a), e), scaled(q.motion_a, e));
-    const auto near_1_b = mover(scaled(part(b), e), scaled(q.motion_b, e));
-    return scaled(certified_advancement(near_1_a, near_1_b, scaled(q.options, e), oracle), -e);
+    const int e = exponent_to_usual(as<A>(q.a), as<B>(q.b), q);
+    if (e != 0) {
+        const auto near_a = mover(scaled(a, e), scaled(q.motion_a, e));
+        const auto near_b = mover(scaled(b, e), scaled(q.motion_b, e));
+        return scaled(certified_advancement(near_a, near_b, scaled(q.options, e), oracle), -e);
+    }
+    if (never_near(a, q.motion_a, b, q.motion_b, q.options)) return plain(Status::separated, q.options.t_max);
+    return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options, oracle);
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>

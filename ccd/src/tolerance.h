@@ -27,6 +27,10 @@ inline constexpr double least_slack = 5 * unit_roundoff;
 /// quadratic's discriminant and root are those of a ball and a path that differ by a few roundings of these.
 inline constexpr double clip_slack = 64 * unit_roundoff;
 
+/// What such balls grow by, of the same lengths, where they are told before anything is turned: many times all
+/// roundings of section 3.
+inline constexpr double clip_room = 0x1p-40;
+
 /// Squared sine of the angle between two segments below which a place on one no longer fixes that on the
 /// other: the rounding of their cross product, 2^-53, then moves it by 2^-43.
 inline constexpr double nearly_parallel = 1e-6;

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "mover.h"
+#include "support.h"
 #include "tolerance.h"
+
+#include <brink/toi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +45,23 @@ static inline Window meeting(const Mover<Core>& a, const Mover<Part>& b, V3 from
         return {};
     else
         return meeting(from, by, a.reach + b.reach + a.part.radius + b.part.radius + target_gap);
+}
+
+/// The same with room for all rounding, before anything is turned: whether bodies that turn about their
+/// origins stay apart until t_max, whatever their turns.
+static inline bool never_near(const Core& a, const Motion& motion_a, const Core& b, const Motion& motion_b,
+                              const Options& options)
+{
+    if (!(load(motion_a.pivot) == V3{} && load(motion_b.pivot) == V3{})) return false;
+    const V3 from = load(motion_b.start.position) - load(motion_a.start.position);
+    const V3 by = load(motion_b.translation) - load(motion_a.translation);
+    const double radius = reach(a) + reach(b) + a.radius + b.radius + options.target_gap;
+    const Window w = meeting(from, by, radius + tolerance::clip_room * (radius + norm(from) + norm(by)));
+    return w.empty || w.begin > options.t_max;
+}
+static inline bool never_near(const Core&, const Motion&, const Border&, const Motion&, const Options&)
+{
+    return false;
 }
 
 } // namespace brink
