@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "advance.h"
 
+#include "best_step.h"
 #include "contact_by.h"
 #include "leave.h"
 #include "sight.h"
@@ -35,9 +36,9 @@ private:
     Separation measured();
     Separation contact();
     void look();
-    void go_on(double t, const Step&);
-    Step first_step() const;
-    Step best_step() const;
+    void go_on(const Step&);
+    Step best_step() const { return brink::best_step(course_.facing(), sight_, rolling_.spin, horizon()); }
+    bool coast(const Step&);
     bool stale(const Step&);
     Toi hit();
     Separation start_of_contact() const;
@@ -70,47 +71,11 @@ template <class Part> Separation Advance<Part>::measured()
     return course_.separated();
 }
 
-/// A first look: most pairs of a step never come near, and their fastest approach shows it.
-template <class Part> Step Advance<Part>::first_step() const
-{
-    const Facing<Part>& f = course_.facing();
-    if constexpr (std::is_same_v<Part, Core>) {
-        const double gap = gap_along(f.a.part, f.b.part, sight_.normal) - f.margin;
-        const double rate = closing_rate(f, sight_.normal);
-        if (gap > 0 && rate * horizon() <= gap) return {gap, horizon(), 0};
-        const Step rest = safe_step(f, TurningAxis{sight_.normal, {}}, horizon());
-        if (rest.length > 0) return rest;
-    }
-    return best_step();
-}
-
-template <class Part> Step Advance<Part>::best_step() const
-{
-    const Facing<Part>& f = course_.facing();
-    Step best;
-    const auto attempt = [&](const TurningAxis& axis) {
-        const Step s = safe_step(f, axis, horizon());
-        if (s.length > best.length || (best.length == 0 && s.gap > best.gap)) best = s;
-    };
-    if (!(sight_.axis.normal == V3{})) attempt(sight_.axis);
-    if constexpr (std::is_same_v<Part, Core>) {
-        if (sight_.normal == V3{} || best.length >= horizon()) return best;
-        // Worse than the first order: the features mislead.
-        if (!sight_.guessed && best.length * closing_rate(f, sight_.normal) >= best.gap && best.length > 0)
-            return best;
-        attempt(TurningAxis{sight_.normal, {}});
-        if (!sight_.guessed) return best;
-        attempt(TurningAxis{sight_.normal, f.a.rate});
-        attempt(TurningAxis{sight_.normal, f.b.rate});
-        if (!(rolling_.spin == V3{})) attempt(TurningAxis{sight_.normal, rolling_.spin});
-    }
-    return best;
-}
-
 /// Whether features followed since the last look have lost what touches first.
 template <class Part> bool Advance<Part>::stale(const Step& step)
 {
     if (followed_ == 0) return false;
+    if (std::is_same_v<Part, Border>) return followed_ > tolerance::most_followed;
     const bool slow = !(step.gap > 0) || step.gap > tolerance::slow_step * last_gap_;
     if (slow || followed_ > tolerance::most_followed) return true;
     if (!(step.gap < tolerance::worth_landing * seen_gap_)) return false;
@@ -119,10 +84,22 @@ template <class Part> bool Advance<Part>::stale(const Step& step)
     return step.gap < tolerance::stale_features * (sight_.upper - course_.radii);
 }
 
-/// Moves to time t, by a step that leaves `step.residual` of the gap.
-template <class Part> void Advance<Part>::go_on(double t, const Step& step)
+/// Goes on as far as axes at hand lead in steps like this one, without looks; whether that is beyond t_max.
+template <class Part> bool Advance<Part>::coast(const Step& step)
 {
-    course_.go(t);
+    for (int i = 0; i < tolerance::most_followed; ++i) {
+        const double length = step_at_hand(course_.facing(), sight_.best_normal(), horizon());
+        if (!(length >= tolerance::worth_coasting * step.length)) break;
+        const double next = course_.now() + length;
+        if (next > course_.options.t_max || next >= course_.window.end) return true;
+        course_.go(next);
+    }
+    return false;
+}
+
+/// Sees where a step has led, which left `step.residual` of the gap.
+template <class Part> void Advance<Part>::go_on(const Step& step)
+{
     last_gap_ = step.gap;
     if (!watch_.can_follow()) return look();
     ++followed_;
@@ -134,7 +111,7 @@ template <class Part> Toi Advance<Part>::approach()
 {
     for (;;) {
         if (there()) return hit();
-        Step step = first_ ? first_step() : best_step();
+        Step step = first_ ? first_step(course_.facing(), sight_, horizon()) : best_step();
         first_ = false;
         if (stale(step)) {
             if (spent()) return course_.answer(Status::undecided, contact());
@@ -152,7 +129,9 @@ template <class Part> Toi Advance<Part>::approach()
         const double next = course_.now() + step.length;
         if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
         if (spent()) return course_.answer(Status::undecided, contact());
-        go_on(next, step);
+        course_.go(next);
+        if (course_.iterations >= tolerance::long_way && coast(step)) return course_.apart();
+        go_on(step);
     }
 }
 

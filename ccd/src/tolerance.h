@@ -119,6 +119,11 @@ inline constexpr double worth_landing = 0.1;
 /// and the axis must prove this much of it.
 inline constexpr double stale_features = 0.5;
 
+/// After so many looks the way is a long one, on which axes at hand are tried before the next: likewise a
+/// guess, as is the part of a step that is worth its while.
+inline constexpr int long_way = 32;
+inline constexpr double worth_coasting = 0.25;
+
 /// How much of the time in which a deep contact could end is passed before it is looked at again.
 inline constexpr double watchful = 0.25;
 
