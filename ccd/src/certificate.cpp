@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
 
+#include "lanes.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -15,10 +16,9 @@ constexpr int newton_rounds = 8;
 
 /// The points that support the turning axis at some h, as a line in h: its value at h = 0 and its slope, side
 /// by side in one register.
-using Line [[gnu::vector_size(2 * sizeof(double))]] = double;
+using Line = Two;
 
 double at(Line l, double h) { return l[0] + h * l[1]; }
-Line times(double s, Line l) { return Line{s, s} * l; }
 
 /// axis + h shift
 class Turned {
@@ -26,7 +26,7 @@ public:
     Turned(V3 axis, V3 shift) : x_{axis.x, shift.x}, y_{axis.y, shift.y}, z_{axis.z, shift.z} {}
 
     /// Its product with a vector
-    Line along(V3 v) const { return times(v.x, x_) + times(v.y, y_) + times(v.z, z_); }
+    Line along(V3 v) const { return both(v.x) * x_ + both(v.y) * y_ + both(v.z) * z_; }
     /// and with a point, whose slope is told from where the axis turns about.
     Line along(V3 p, V3 pivot) const
     {
@@ -52,9 +52,9 @@ public:
                 line_[k] = axis_.along(c.points[k], body.pivot);
         } else if (c.kind == Core::Kind::box) {
             middle_ = axis_.along(c.centre, body.pivot);
-            line_[0] = times(c.half_extents.x, axis_.along(c.axes.x));
-            line_[1] = times(c.half_extents.y, axis_.along(c.axes.y));
-            line_[2] = times(c.half_extents.z, axis_.along(c.axes.z));
+            line_[0] = both(c.half_extents.x) * axis_.along(c.axes.x);
+            line_[1] = both(c.half_extents.y) * axis_.along(c.axes.y);
+            line_[2] = both(c.half_extents.z) * axis_.along(c.axes.z);
         }
         now_ = sought(0);
     }
@@ -68,7 +68,7 @@ private:
         if (c.kind == Core::Kind::box) {
             Line p = middle_;
             for (const Line& l : line_)
-                p += times(std::copysign(1.0, side_ * at(l, h)), l);
+                p += both(std::copysign(1.0, side_ * at(l, h))) * l;
             return p;
         }
         if (c.kind <= Core::Kind::triangle) {
