@@ -37,7 +37,7 @@ private:
     Separation contact();
     void look();
     void go_on(const Step&);
-    Step best_step() const { return brink::best_step(course_.facing(), sight_, rolling_.spin, horizon()); }
+    Step best_step() const;
     bool coast(const Step&);
     bool stale(const Step&);
     Toi hit();
@@ -62,7 +62,13 @@ template <class Part> void Advance<Part>::look()
     ++course_.iterations;
     sight_ = watch_.look(course_.facing());
     followed_ = 0;
-    if (sight_.guessed) rolling_.see(sight_.normal, course_.now());
+    if (sight_.guessed || course_.iterations >= tolerance::quick_way)
+        rolling_.see(sight_.normal, course_.now());
+}
+
+template <class Part> Step Advance<Part>::best_step() const
+{
+    return brink::best_step(course_.facing(), sight_, rolling_.spin, horizon());
 }
 
 template <class Part> Separation Advance<Part>::measured()

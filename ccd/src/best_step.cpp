@@ -30,6 +30,7 @@ template <class Part> Step best_step(const Facing<Part>& f, const Sight& sight, 
     if (!(sight.axis.normal == V3{})) attempt(sight.axis);
     if constexpr (std::is_same_v<Part, Core>) {
         if (sight.normal == V3{} || best.length >= horizon) return best;
+        if (!(rolling == V3{})) attempt(TurningAxis{sight.normal, rolling});
         // Worse than the first order: the features mislead.
         if (!sight.guessed && best.length * closing_rate(f, sight.normal) >= best.gap && best.length > 0)
             return best;
@@ -37,7 +38,6 @@ template <class Part> Step best_step(const Facing<Part>& f, const Sight& sight, 
         if (!sight.guessed) return best;
         attempt(TurningAxis{sight.normal, f.a.rate});
         attempt(TurningAxis{sight.normal, f.b.rate});
-        if (!(rolling == V3{})) attempt(TurningAxis{sight.normal, rolling});
     }
     return best;
 }

@@ -27,8 +27,8 @@ inline constexpr double least_slack = 5 * unit_roundoff;
 /// quadratic's discriminant and root are those of a ball and a path that differ by a few roundings of these.
 inline constexpr double clip_slack = 64 * unit_roundoff;
 
-/// What such balls grow by, of the same lengths, where they are told before anything is turned: many times all
-/// roundings of section 3.
+/// What such balls grow by, of the same lengths, where they are told before anything is turned: many times
+/// all roundings of section 3.
 inline constexpr double clip_room = 0x1p-40;
 
 /// Squared sine of the angle between two segments below which a place on one no longer fixes that on the
@@ -119,6 +119,9 @@ inline constexpr double worth_landing = 0.1;
 /// and the axis must prove this much of it.
 inline constexpr double stale_features = 0.5;
 
+/// After so many looks the features that were seen do not tell how the axis turns: likewise a guess.
+inline constexpr int quick_way = 8;
+
 /// After so many looks the way is a long one, on which axes at hand are tried before the next: likewise a
 /// guess, as is the part of a step that is worth its while.
 inline constexpr int long_way = 32;
@@ -134,7 +137,7 @@ inline constexpr double deeper = 64;
 
 /// An axis that turned by less (radians) does not tell how fast it turns: the distance of curved surfaces
 /// shows it to the square root of that. Likewise a guess.
-inline constexpr double least_turn = 1e-5;
+inline constexpr double least_turn = 1e-7;
 
 /// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
 inline constexpr int most_followed = 12;
