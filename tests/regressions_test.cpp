@@ -116,3 +116,19 @@ TEST_CASE("regression: a sphere deeper in a box than its radius by half a roundi
                        Vec3(0, 0, 0)},
                 Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
 }
+
+TEST_CASE("a needle of an ellipsoid on a box: witness points lie on their shapes")
+{
+    check(Query{Box{Vec3(0x1.731b63a8b9db5p-2, 0x1.a3ea708bd16c4p-1, 0x1.3f63beaab0c5ep-4)},
+                Motion{Pose{Vec3(-0x1.e6dd8fa21cb77p+0, 0x1.d61550f55ea24p-1, -0x1.f053e7a3fb5ep-6),
+                            Quat(0x1.11f692b9c6b4cp-3, 0x1.1d7bab5665f75p-1, -0x1.dcd65022a4c6dp-2,
+                                 0x1.591f28fbe66d8p-1)},
+                       Vec3(0x1.2dbaa90e57f7cp+1, -0x1.336b1d728ec7fp+0, -0x1.05426166d0931p+0),
+                       Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Ellipsoid{Vec3(0x1.04348d05e433bp+0, 0x1.5a8c71c0f3c89p-20, 0x1.e173f4a6a5826p-18)},
+                Motion{Pose{Vec3(-0x1.287013b130192p-1, 0x1.f8eb76b66401cp-2, -0x1.fbd552f2d08cap-1),
+                            Quat(0x1.8e7fep-2, 0x1.41f2c6p-1, 0x1.ec2484p-2, 0x1.e2aa96p-2)},
+                       Vec3(0, 0, 0), Vec3(0, 0, 0x1.3148ee89ada27p-34),
+                       Vec3(-0x1.7c4feac8b3ecep-3, 0x1.645da3ba66fep-4, -0x1.77c10279dc3ep-4)},
+                Options{1, 0, 0, StartContact::report, Detail::contact, 256}});
+}
