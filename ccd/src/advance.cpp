@@ -93,10 +93,11 @@ template <class Part> bool Advance<Part>::stale(const Step& step)
 /// Goes on as far as axes at hand lead in steps like this one, without looks; whether that is beyond t_max.
 template <class Part> bool Advance<Part>::coast(const Step& step)
 {
-    for (int i = 0; i < tolerance::most_followed; ++i) {
-        const double length = step_at_hand(course_.facing(), sight_.best_normal(), horizon());
-        if (!(length >= tolerance::worth_coasting * step.length)) break;
-        const double next = course_.now() + length;
+    AtHand axis{sight_.best_normal(), step.length};
+    for (int i = 0; i < tolerance::most_coasted; ++i) {
+        axis = step_at_hand(course_.facing(), axis.normal, axis.length, horizon());
+        if (!(axis.length >= tolerance::worth_coasting * step.length)) break;
+        const double next = course_.now() + axis.length;
         if (next > course_.options.t_max || next >= course_.window.end) return true;
         course_.go(next);
     }

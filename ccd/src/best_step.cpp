@@ -42,25 +42,38 @@ template <class Part> Step best_step(const Facing<Part>& f, const Sight& sight, 
     return best;
 }
 
-template <class Part> double step_at_hand(const Facing<Part>& f, V3 normal, double horizon)
+namespace {
+
+V3 gone_along(V3 normal, const Posed<Core>& body, double time)
 {
-    if constexpr (std::is_same_v<Part, Border>) {
-        return 0; // the plane's normal is all there is
-    } else {
-        double best = safe_step(f, TurningAxis{normal, {}}, horizon).length;
+    if (!(body.angle > 0)) return normal;
+    return turned(Turn{body.rate, (1 / body.angle) * body.rate, body.angle}, time) * normal;
+}
+
+} // namespace
+
+template <class Part> AtHand step_at_hand(const Facing<Part>& f, V3 normal, double since, double horizon)
+{
+    AtHand best;
+    if constexpr (std::is_same_v<Part, Core>) { // a plane's normal is all there is
+        const auto attempt = [&](V3 n, V3 spin) {
+            const double length = safe_step(f, TurningAxis{n, spin}, horizon).length;
+            if (length > best.length) best = {n, length};
+        };
+        attempt(normal, {});
+        attempt(gone_along(normal, f.a, since), f.a.rate);
+        attempt(gone_along(normal, f.b, since), f.b.rate);
         const V3 across = middle(f.b.part) - middle(f.a.part);
-        const double apart = norm(across);
-        if (apart > 0)
-            best = std::max(best, safe_step(f, TurningAxis{(1 / apart) * across, {}}, horizon).length);
-        return best;
+        if (norm(across) > 0) attempt((1 / norm(across)) * across, {});
     }
+    return best;
 }
 
 template Step first_step(const Facing<Core>&, const Sight&, double);
 template Step first_step(const Facing<Border>&, const Sight&, double);
 template Step best_step(const Facing<Core>&, const Sight&, V3, double);
 template Step best_step(const Facing<Border>&, const Sight&, V3, double);
-template double step_at_hand(const Facing<Core>&, V3, double);
-template double step_at_hand(const Facing<Border>&, V3, double);
+template AtHand step_at_hand(const Facing<Core>&, V3, double, double);
+template AtHand step_at_hand(const Facing<Border>&, V3, double, double);
 
 } // namespace brink

@@ -13,8 +13,13 @@ template <class Part> Step first_step(const Facing<Part>&, const Sight&, double 
 /// surfaces, as far as it is known.
 template <class Part> Step best_step(const Facing<Part>&, const Sight&, V3 rolling, double horizon);
 
-/// The length of a step proven without a look, by an axis that served before or that leads from the midst of
-/// one body to that of the other.
-template <class Part> double step_at_hand(const Facing<Part>&, V3 normal, double horizon);
+/// An axis that needs no look, and how long a step it proves.
+struct AtHand {
+    V3 normal;
+    double length = 0;
+};
+/// The best of these: one that served `since` ago, where it was or gone along with either body, and the one
+/// from the midst of A to that of B.
+template <class Part> AtHand step_at_hand(const Facing<Part>&, V3 normal, double since, double horizon);
 
 } // namespace brink

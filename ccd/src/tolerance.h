@@ -125,7 +125,8 @@ inline constexpr int quick_way = 8;
 /// After so many looks the way is a long one, on which axes at hand are tried before the next: likewise a
 /// guess, as is the part of a step that is worth its while.
 inline constexpr int long_way = 32;
-inline constexpr double worth_coasting = 0.25;
+inline constexpr double worth_coasting = 0.1;
+inline constexpr int most_coasted = 64; // steps to a look
 
 /// How much of the time in which a deep contact could end is passed before it is looked at again.
 inline constexpr double watchful = 0.25;
