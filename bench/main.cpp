@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "accuracy.h"
+#include "ingredients.h"
 #include "pair_bench.h"
 #include "pair_sample.h"
 #include "pairs.h"
@@ -28,6 +29,8 @@ struct Arguments {
     CLI::App* accuracy_part = nullptr;
     StabilityOptions stability;
     CLI::App* stability_part = nullptr;
+    IngredientOptions ingredients;
+    CLI::App* ingredients_part = nullptr;
     std::vector<std::string> pairs{"all"};
     bool rows = false; // only print this build's rows
 };
@@ -85,8 +88,14 @@ void describe(CLI::App& app, Arguments& arguments)
         "stability", "accuracy of t and wrong decisions where it is hard, against 200 digits; "
                      "textbook formulas and FCL beside it");
     describe_stability(*arguments.stability_part, arguments.stability);
-    for (CLI::App* part :
-         {arguments.tunnelling_part, arguments.pairs_part, arguments.accuracy_part, arguments.stability_part})
+    arguments.ingredients_part = app.add_subcommand(
+        "ingredients", "distance evaluations per hit as the ingredients of the certificate are added");
+    arguments.ingredients_part
+        ->add_option("--queries", arguments.ingredients.queries, "of each pair, half of them hits")
+        ->check(CLI::Range(100, 100'000))
+        ->capture_default_str();
+    for (CLI::App* part : {arguments.tunnelling_part, arguments.pairs_part, arguments.accuracy_part,
+                           arguments.stability_part, arguments.ingredients_part})
         part->add_option("--out", arguments.out, "folder for CSVs and pictures")->capture_default_str();
     arguments.tunnelling_part
         ->add_option("--crossings", arguments.tunnelling.crossings,
@@ -124,6 +133,8 @@ int run(const Arguments& arguments, const std::filesystem::path& program)
     if (arguments.tunnelling_part->parsed()) return run_tunnelling(output, arguments.tunnelling) == 0 ? 0 : 1;
     if (arguments.accuracy_part->parsed()) return run_accuracy(output, arguments.accuracy) == 0 ? 0 : 1;
     if (arguments.stability_part->parsed()) return run_stability(output, arguments.stability) == 0 ? 0 : 1;
+    if (arguments.ingredients_part->parsed())
+        return run_ingredients(output, arguments.ingredients) == 0 ? 0 : 1;
     run_pairs(output, names, program.parent_path() / "brink-bench-v3");
     return 0;
 }
@@ -138,7 +149,7 @@ int main(int argc, char** argv)
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return explain(app, "which part? tunnelling, pairs, accuracy or stability");
+            return explain(app, "which part? tunnelling, pairs, accuracy, stability or ingredients");
         return run(arguments, std::filesystem::canonical("/proc/self/exe"));
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
