@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # The same bits from every build: builds the library and tests/determinism.cpp in several ways, asks each the same
-# 20,000 queries and fails naming the builds that answer in other bits. determinism.sh all: a million, of those that
-# are optimised (minutes more; determinism_test asks a million of its own build).
+# 20,000 queries and fails naming the builds that answer in other bits. determinism.sh all: two builds more and a million
+# queries of those that are optimised (minutes more; determinism_test asks a million of its own build).
 # EIGEN_INCLUDE names another folder than Debian's.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -40,10 +40,12 @@ library() { # <object folder> <compiler and flags>
     done
 }
 # What draws the queries, once for each compiler.
-generator() { # <object folder> <compiler and flags>
+generator() { # <object folder> <compiler and flags> <object folder of the library with the same flags>
     local own name
     own=$(own_flags "$2")
-    for name in $generators; do compile "$1" "$2 $own -Itests/support" "tests/support/$name.cpp"; done
+    for name in $generators; do
+        compile "$1" "$2 $own -Itests/support -include $scratch/$3/public.h" "tests/support/$name.cpp"
+    done
 }
 # The user's program, whose flags are the user's.
 program() { # <object folder> <compiler and flags>
@@ -68,18 +70,19 @@ variant() { # <folder> <compiler> <flags> <queries> <generator>: library and pro
 }
 few=20000 all=20000
 [ "${1:-}" != all ] || all=1000000
-generator generator-g "g++ -O2"
-generator generator-clang "clang++ -O2"
+generator generator-g "g++ -O2" library-g2
 variant g2 g++ "-O2" $all generator-g
 variant g0 g++ "-O0" $few generator-g
-variant g3 g++ "-O3 -march=x86-64" $few generator-g # all: determinism_test
 variant g3native g++ "-O3 -march=native" $all generator-g
-variant clang2 clang++ "-O2" $few generator-clang
-variant clang3native clang++ "-O3 -march=native" $all generator-clang
+variant clang3native clang++ "-O3 -march=native" $all generator-g
+if [ $all != $few ]; then # else determinism_test, in a build with g++ -O3 and in one with clang++
+    generator generator-clang "clang++ -O2" library-clang2
+    variant g3 g++ "-O3 -march=x86-64" $few generator-g
+    variant clang2 clang++ "-O2" $few generator-clang
+fi
 # The user's inline Eigen code is linked before the library's: where neither inlines it, the library runs the user's.
-program user3native "g++ -O3 -march=native"
 program user0native "g++ -O0 -march=native"
-build "user g++ -O3 -march=native, library -O2" $few g++ user3native library-g2 generator-g
+build "user g++ -O3 -march=native, library -O2" $few g++ program-g3native library-g2 generator-g
 build "user g++ -O0 -march=native, library -O0" $few g++ user0native library-g0 generator-g
 
 for stage in headers objects links runs; do
