@@ -80,9 +80,8 @@ constexpr bool in_whole_numbers = (is_one_of<A, Sphere> && is_one_of<B, Sphere, 
                                   (is_one_of<A, Sphere, Capsule, Box, Triangle> &&
                                    is_one_of<B, Plane, HalfSpace>);
 
-/// What a closed form left in doubt: for the advancement where there are no exact numbers. Else a start that
-/// witnesses prove in contact is left to it, and exact numbers tell the rest; or it is a hit that may be
-/// none.
+/// What a closed form left in doubt: for the advancement where there are no exact numbers; else a start that
+/// witnesses prove in contact is left to it, and exact numbers tell the rest. What they cannot hold is a hit.
 template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const Approach& m, const Entry& e)
 {
     if constexpr (!in_whole_numbers<A, B>) return solve_turning<A, B>(q);
