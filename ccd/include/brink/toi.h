@@ -8,7 +8,9 @@
 
 namespace brink {
 
-/// What to do with a pair that is in contact when the step begins (gap <= target_gap at t = 0).
+/// What to do with a pair that is in contact when the step begins (gap <= target_gap at t = 0). While it
+/// leaves that contact, until the gap exceeds target_gap by more than the tolerance, a return no deeper than
+/// the tolerance may be passed over.
 enum class StartContact : unsigned char {
     report,               // say `touching`
     ignore_if_separating, // if the gap is proven not to decrease, look for the next contact; else `touching`
