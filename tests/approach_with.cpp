@@ -32,16 +32,13 @@ private:
     double bounded_step(Ingredient, const Separation&) const;
     void look();
     void follow(const Step&);
-    bool stale(const Step&);
     Step best_step() const { return brink::best_step(course_.facing(), sight_, rolling_.spin, horizon()); }
 
     Course<Core> course_;
     Watch watch_;
     Sight sight_;
     Rolling rolling_;
-    int followed_ = 0;           // steps since the last look
-    double seen_gap_ = infinity; // at that look
-    double last_gap_ = infinity; // at the last step
+    Trail trail_;
     Way way_;
 };
 
@@ -89,27 +86,15 @@ void Approaching::look()
 {
     ++way_.evaluations;
     sight_ = watch_.look(course_.facing());
-    followed_ = 0;
+    trail_.followed = 0;
     if (sight_.guessed) rolling_.see(sight_.normal, course_.now());
 }
 
 void Approaching::follow(const Step& step)
 {
-    ++followed_;
+    ++trail_.followed;
     sight_ = watch_.follow(course_.facing());
     if (step.residual <= 0.5 * course_.tolerance) watch_.land(course_.facing(), sight_);
-}
-
-/// As in ccd/src/advance.cpp.
-bool Approaching::stale(const Step& step)
-{
-    if (followed_ == 0) return false;
-    const bool slow = !(step.gap > 0) || step.gap > tolerance::slow_step * last_gap_;
-    if (slow || followed_ > tolerance::most_followed) return true;
-    if (!(step.gap < tolerance::worth_landing * seen_gap_)) return false;
-    seen_gap_ = step.gap;
-    watch_.land(course_.facing(), sight_);
-    return step.gap < tolerance::stale_features * (sight_.upper - course_.radii);
 }
 
 /// As Advance::approach, but for axes at hand where the way is long.
@@ -120,7 +105,7 @@ Way Approaching::by_axes(bool following)
         if (there()) return ended(Ending::hit);
         const bool first = following && way_.steps == 0;
         Step step = first ? first_step(course_.facing(), sight_, horizon()) : best_step();
-        const bool lost = stale(step);
+        const bool lost = trail_.lost(step, course_.facing(), watch_, sight_, course_.radii);
         if (there()) return ended(Ending::hit);
         if (spent()) return ended(Ending::capped);
         if (lost) {
@@ -134,9 +119,9 @@ Way Approaching::by_axes(bool following)
             step = best_step();
         }
         if (!(step.gap > 0)) return ended(Ending::stuck);
-        if (followed_ == 0) seen_gap_ = step.gap;
+        if (trail_.followed == 0) trail_.seen_gap = step.gap;
         if (!go(step.length)) return ended(Ending::apart);
-        last_gap_ = step.gap;
+        trail_.last_gap = step.gap;
         if (following && watch_.can_follow())
             follow(step);
         else

@@ -132,3 +132,68 @@ TEST_CASE("a needle of an ellipsoid on a box: witness points lie on their shapes
                        Vec3(-0x1.7c4feac8b3ecep-3, 0x1.645da3ba66fep-4, -0x1.77c10279dc3ep-4)},
                 Options{1, 0, 0, StartContact::report, Detail::contact, 256}});
 }
+
+TEST_CASE("a curved contact that turns its normal, and a hundred turns past each other: decided within the "
+          "looks there are")
+{
+    for (const Query& q : {
+             Query{Capsule{Vec3(-0x1.3f3987c1513aap-1, -0x1.d02c87b360b38p-3, -0x1.0596295a57af4p-1),
+                           Vec3(-0x1.01cb78992e04ap-1, 0x1.0b9fff0c68086p-1, 0x1.7267d44b03a6ep-1),
+                           0x1.db0b75bbc169p-15},
+                   Motion{Pose{Vec3(0x1.9dc7ce2b9eb2p-4, -0x1.272e42899cd2p-4, -0x1.d71d9f13415c8p-3),
+                               Quat(-0x1.88500619d0367p-2, -0x1.60d78fb150075p-3, -0x1.3e6d7801c3d9ap-1,
+                                    0x1.525ce8a871493p-1)},
+                          Vec3(0x1.8bb300a1dfd3cp+1, 0x1.27d87c726ea52p-1, -0x1.8665be88ef6a5p+0),
+                          Vec3(0x1.27942b337c985p-1, -0x1.9d3936721cdc8p-5, 0x1.475730690baeep-1),
+                          Vec3(-0x1.141ccd10de832p-1, 0x1.3251427e9218bp-2, 0x1.6bd09e8724fb8p-2)},
+                   Cone{0x1.be91196ade27cp-3, 0x1.845e6b5b60afbp-1},
+                   Motion{Pose{Vec3(0, 0, 0), Quat(0x1.590655280a5a3p-2, -0x1.4eb2d4a945383p-1,
+                                                   0x1.2f6af736d36a9p-1, 0x1.5070a6c9ad998p-2)},
+                          Vec3(0x1.8bb21ef9afa6cp+1, 0x1.27d119b416847p-1, -0x1.8664b9ca33e56p+0),
+                          Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                   Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}},
+             Query{Triangle{Vec3(-0x1.614f2315823c6p-1, -0x1.1d87910263ed7p-1, -0x1.4e4f65b41dbdcp-1),
+                            Vec3(0x1.bc16e9f10b4dp-3, 0x1.1339165db7a92p-1, 0x1.18ac4923fe75fp+0),
+                            Vec3(0x1.c40ce96315e4cp-2, -0x1.47d69b9ccba73p-1, -0x1.56c0f8c6e0663p-1)},
+                   Motion{Pose{Vec3(-0x1.43f217eef5de8p-1, -0x1.cdd8f49629fp-5, 0x1.4f0ebceeea45p+0),
+                               Quat(0x1.07cc6043348bp-1, -0x1.2326cc2a2fd22p-6, -0x1.e8e93ad21ae8dp-2,
+                                    0x1.6c4c53f92cc4ep-1)},
+                          Vec3(0x1.9712b1a32cbdcp+1, 0x1.5ccef6da0f057p-1, 0x1.be69491b5f094p+2),
+                          Vec3(0x1.a91ef622071fap-2, 0x1.8c139e6ac2f8bp-1, 0x1.a5fa7afebeae5p-5),
+                          Vec3(0x1.7c4cf020afe4p-4, 0x1.644a07044745dp-2, 0x1.97ea4db9cf8dp-1)},
+                   Cylinder{0x1.9a99f1cd6dd6ep-1, 0x1.3b6e9dd8f767bp-2},
+                   Motion{Pose{Vec3(-0x1.8f76e9617a88ap-1, -0x1.1ea9afaf039ep-1, 0x1.c7a3e43a07bd6p-1),
+                               Quat(0x1.ef21c9b690a5cp-5, -0x1.9e06ccf7e0626p-1, 0x1.397d58ad19ee9p-2,
+                                    -0x1.feaefe3a55fd9p-2)},
+                          Vec3(0x1.970d141777112p+1, 0x1.5d9562890457fp-1, 0x1.be5f0de2738b7p+2),
+                          Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                   Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}},
+             Query{Sphere{0x1.eeca818d5e1e1p+1},
+                   Motion{Pose{Vec3(6, -0x1.8p-1, 0x1.8p+0), Quat(1, 0, 0, 0)},
+                          Vec3(-0x1.4p+1, -0x1.cp+0, 0x1.ep+1),
+                          Vec3(0x1.833290518c88ep+1, 0x1.33e652c5027aep+8, 0x1.0ed22fa180faep+9),
+                          Vec3(0x1.6b50310e674f2p-2, -0x1.22ad5a9c65247p-1, -0x1.eaec2eb5dc08p-8)},
+                   Cone{0x1.c76d0285e341ap-1, 0x1.d350268aac64ap-22},
+                   Motion{Pose{Vec3(1, -0x1.4p+0, 0x1.4p+0), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0),
+                          Vec3(-0x1.cdce8d0ff3c7fp+4, -0x1.2a35b2f58a76bp-1, -0x1.c3e5a381189cdp+3),
+                          Vec3(0x1.df04258ca1e1ap-2, 0x1.0ee719f975f22p-2, 0x1.5c81ffb897p-12)},
+                   Options{1, 0, 0x1.19799812dea11p-40, StartContact::report, Detail::contact, 256}},
+             Query{Box{Vec3(0x1.bd2197872f89ap+0, 0x1.a59ffd0d30ad3p-23, 0x1.a59ffd0d30ad3p-23)},
+                   Motion{Pose{Vec3(0x1.1d9cb5720338dp+1, -0x1.6df33d3d638fap-1, -0x1.4d1184ffd0b18p+1),
+                               Quat(1, 0, 0, 0)},
+                          Vec3(-0x1.1ffa4e6a59746p-4, 0x1.0bb2a2a3c8d4ap-5, 0x1.a96f84a7c610cp-5),
+                          Vec3(-0x1.af5cb5fc8b37dp-1, 0x1.05a19295fc81dp-1, 0x1.928d1258290ep-3),
+                          Vec3(0, 0, 0)},
+                   Box{Vec3(0x1.f0a38dbd2e4d6p-2, 0x1.87fbdf235401p-14, 0x1.87fbdf235401p-14)},
+                   Motion{Pose{Vec3(-0x1.778f12084edc4p-1, -0x1.a595461320848p-3, -0x1.ef9da49418aeep-1),
+                               Quat(0x1.d770a87a7fcacp-1, -0x1.2668c6613a41ap-3, 0x1.52a10c683c0fap-2,
+                                    -0x1.30b9539c88619p-3)},
+                          Vec3(0x1.836af3554a63fp+1, -0x1.68229278df104p+0, -0x1.1e2b93ec56cebp+1),
+                          Vec3(0x1.4cecdd1175df2p+8, 0x1.c31a7a83e6dd6p+7, -0x1.102d47649f475p+7),
+                          Vec3(0x1.a9c84b1a69b88p-2, -0x1.3a8fe8eb4db2p+1, 0x1.7aee68d72e63p+1)},
+                   Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}},
+         }) {
+        check(q);
+        CHECK(answer(q).status != Status::undecided);
+    }
+}

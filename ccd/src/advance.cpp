@@ -39,7 +39,6 @@ private:
     void go_on(const Step&);
     Step best_step() const;
     bool coast(const Step&);
-    bool stale(const Step&);
     Toi hit();
     Separation start_of_contact() const;
     bool begins_in_contact(const Separation& start, const StartOracle&) const;
@@ -51,9 +50,7 @@ private:
     WatchOf<Part> watch_;
     Sight sight_;
     Rolling rolling_;
-    int followed_ = 0;           // axis steps since the last look
-    double seen_gap_ = infinity; // at that look
-    double last_gap_ = infinity; // at the last step
+    Trail trail_;
     bool first_ = true;
 };
 
@@ -61,7 +58,7 @@ template <class Part> void Advance<Part>::look()
 {
     ++course_.iterations;
     sight_ = watch_.look(course_.facing());
-    followed_ = 0;
+    trail_.followed = 0;
     if (sight_.guessed || course_.iterations >= tolerance::quick_way)
         rolling_.see(sight_.normal, course_.now());
 }
@@ -75,19 +72,6 @@ template <class Part> Separation Advance<Part>::measured()
 {
     ++course_.iterations;
     return course_.separated();
-}
-
-/// Whether features followed since the last look have lost what touches first.
-template <class Part> bool Advance<Part>::stale(const Step& step)
-{
-    if (followed_ == 0) return false;
-    if (std::is_same_v<Part, Border>) return followed_ > tolerance::most_followed;
-    const bool slow = !(step.gap > 0) || step.gap > tolerance::slow_step * last_gap_;
-    if (slow || followed_ > tolerance::most_followed) return true;
-    if (!(step.gap < tolerance::worth_landing * seen_gap_)) return false;
-    seen_gap_ = step.gap;
-    watch_.land(course_.facing(), sight_);
-    return step.gap < tolerance::stale_features * (sight_.upper - course_.radii);
 }
 
 /// Goes on as far as axes at hand lead in steps like this one, without looks; whether that is beyond t_max.
@@ -107,9 +91,9 @@ template <class Part> bool Advance<Part>::coast(const Step& step)
 /// Sees where a step has led, which left `step.residual` of the gap.
 template <class Part> void Advance<Part>::go_on(const Step& step)
 {
-    last_gap_ = step.gap;
+    trail_.last_gap = step.gap;
     if (!watch_.can_follow()) return look();
-    ++followed_;
+    ++trail_.followed;
     sight_ = watch_.follow(course_.facing());
     if (step.residual <= 0.5 * course_.tolerance) watch_.land(course_.facing(), sight_);
 }
@@ -120,7 +104,7 @@ template <class Part> Toi Advance<Part>::approach()
         if (there()) return hit();
         Step step = first_ ? first_step(course_.facing(), sight_, horizon()) : best_step();
         first_ = false;
-        if (stale(step)) {
+        if (trail_.lost(step, course_.facing(), watch_, sight_, course_.radii)) {
             if (spent()) return course_.answer(Status::undecided, contact());
             look();
             continue;
@@ -132,7 +116,7 @@ template <class Part> Toi Advance<Part>::approach()
             step = best_step();
         }
         if (!(step.gap > 0)) return course_.answer(Status::undecided, contact());
-        if (followed_ == 0) seen_gap_ = step.gap;
+        if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
         if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
         if (spent()) return course_.answer(Status::undecided, contact());

@@ -2,6 +2,7 @@
 #include "best_step.h"
 
 #include "support.h"
+#include "tolerance.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -40,6 +41,22 @@ template <class Part> Step best_step(const Facing<Part>& f, const Sight& sight, 
         attempt(TurningAxis{sight.normal, f.b.rate});
     }
     return best;
+}
+
+bool Trail::lost(const Step& step, const Facing<Core>& f, const Watch& watch, Sight& sight, double radii)
+{
+    if (followed == 0) return false;
+    const bool slow = !(step.gap > 0) || step.gap > tolerance::slow_step * last_gap;
+    if (slow || followed > tolerance::most_followed) return true;
+    if (!(step.gap < tolerance::worth_landing * seen_gap)) return false;
+    seen_gap = step.gap;
+    watch.land(f, sight);
+    return step.gap < tolerance::stale_features * (sight.upper - radii);
+}
+
+bool Trail::lost(const Step&, const Facing<Border>&, const BorderWatch&, const Sight&, double) const
+{
+    return followed > tolerance::most_followed;
 }
 
 namespace {

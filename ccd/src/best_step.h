@@ -13,6 +13,18 @@ template <class Part> Step first_step(const Facing<Part>&, const Sight&, double 
 /// surfaces, as far as it is known.
 template <class Part> Step best_step(const Facing<Part>&, const Sight&, V3 rolling, double horizon);
 
+/// How features fare that are followed from a look on.
+struct Trail {
+    int followed = 0;           // axis steps since the look
+    double seen_gap = infinity; // at that look, or where the features landed last
+    double last_gap = infinity; // at the last step
+
+    /// Whether they have lost what touches first; lands them in `sight` where that is worth it.
+    bool lost(const Step&, const Facing<Core>&, const Watch&, Sight&, double radii);
+    /// Of a plane nothing can be lost.
+    bool lost(const Step&, const Facing<Border>&, const BorderWatch&, const Sight&, double) const;
+};
+
 /// An axis that needs no look, and how long a step it proves.
 struct AtHand {
     V3 normal;

@@ -136,8 +136,8 @@ inline constexpr double watchful = 0.25;
 inline constexpr double shallow = 8;
 inline constexpr double deeper = 64;
 
-/// An axis that turned by less (radians) does not tell how fast it turns: the distance of curved surfaces
-/// shows it to the square root of that. Likewise a guess.
+/// An axis that turned by less (radians) does not tell how fast it turns: normals of curved surfaces are no
+/// better known. Likewise a guess.
 inline constexpr double least_turn = 1e-7;
 
 /// Axis steps without an evaluation of the distance, one after the other: likewise a guess.
