@@ -2,7 +2,7 @@
 #include "support/approach_with.h"
 
 #include "best_step.h"
-#include "course.h" // with its tolerances
+#include "course.h"
 #include "sight.h"
 #include "support.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "best_step.h"
 #include "random.h"
-#include "tolerance.h"
 #include "window.h"
 
 #include <doctest/doctest.h>
