@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "body.h"
+#include "placed_shape.h"
 #include "draw.h"
 #include "support.h"
 
@@ -98,7 +98,7 @@ TEST_CASE("ray: the normal is that of the supporting plane")
         const RayHit hit = ray_cast(c.origin, c.direction, shape, pose);
         const double slope = dot(load(hit.normal), load(c.direction)) / norm(load(c.direction));
         if (hit.status != Status::hit || slope > -1e-3) continue;
-        const Body b = body(shape, pose, load(hit.point));
+        const PlacedShape b = placed_shape(shape, pose, load(hit.point));
         CAPTURE(i);
         CHECK(interval(b.core, load(hit.normal)).high <= 1e-9);
         ++hits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "body.h"
+#include "placed_shape.h"
 #include "solid_cores.h"
 
 #include <brink/overlap.h>
@@ -65,7 +65,7 @@ TEST_CASE("bounds: hold every supporting point, and no more than rounding beside
         const Quat turn = support::draw_orientation(random);
         const Pose pose{random.in_cube(i % 2 == 0 ? 1 : 1e6), turn};
         const Aabb box = bounds(shape, pose);
-        const Core c = body(shape, pose, {}).core;
+        const Core c = placed_shape(shape, pose, {}).core;
         const double rounding = 64 * eps * (extent(c) + 4);
         CAPTURE(i);
         for (int k = 0; k < 3; ++k) {
@@ -114,8 +114,8 @@ TEST_CASE("planes and half-spaces against the new shapes: by their supporting po
         const Pose pose{random.in_cube(1), random.rotation()}, level{random.in_cube(1), random.rotation()};
         const Vec3 normal = random.unit();
         const double offset = random.between(-0.5, 0.5);
-        const Core c = body(shape, pose, {}).core;
-        const Border b = body(Plane{normal, offset}, level, {}).border;
+        const Core c = placed_shape(shape, pose, {}).core;
+        const Border b = placed_shape(Plane{normal, offset}, level, {}).border;
         const Interval reach = interval(c, b.normal);
         const double above = reach.low - b.offset, below = b.offset - reach.high;
         const Distance solid = distance(shape, pose, HalfSpace{normal, offset}, level);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <brink/distance.h>
 
-#include "body.h"
+#include "placed_shape.h"
 #include "validity.h"
 
 namespace brink {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <brink/overlap.h>
 
-#include "body.h"
+#include "placed_shape.h"
 #include "dyadic.h"
 #include "tolerance.h"
 #include "validity.h"

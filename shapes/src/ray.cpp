@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <brink/ray.h>
 
-#include "body.h"
 #include "nearest.h"
+#include "placed_shape.h"
 #include "ray_round.h"
 #include "ray_triangle.h"
 #include "scaling.h"
@@ -170,7 +170,7 @@ Entry enter(const Ray& ray, const Border& b)
 /// The ray and the shape in a frame centred at the shape, both scaled to the order of 1.
 struct Question {
     Ray ray;
-    Body body;
+    PlacedShape body;
     int length_exponent, direction_exponent;
 };
 
@@ -179,16 +179,16 @@ constexpr int least_exponent = -1000; // 2^-e is still a double
 Question question(V3 origin, V3 direction, const Shape& shape, const Pose& pose)
 {
     const V3 at = load(pose.position);
-    const Body b = body(shape, pose, at);
+    const PlacedShape b = placed_shape(shape, pose, at);
     const double size = b.bounded ? std::max(extent(b.core), b.core.radius) : std::fabs(b.border.offset);
     const V3 o = scaled(origin, -2) - scaled(at, -2); // a quarter, lest the difference overflow
     const int f = exponent(largest_coordinate(direction));
     const int e = std::max(least_exponent, std::max(exponent(largest_coordinate(o)) + 2, exponent(size)));
-    return {{scaled(o, 2 - e), scaled(direction, -f)}, body(shape, pose, at, -e), e, f};
+    return {{scaled(o, 2 - e), scaled(direction, -f)}, placed_shape(shape, pose, at, -e), e, f};
 }
 
 /// The origin's place in the shape: how far inside, and the way out.
-Separation standing(const Ray& ray, const Body& body)
+Separation standing(const Ray& ray, const PlacedShape& body)
 {
     if (body.bounded) return from_point(ray.origin, body.core);
     Core point;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "body.h"
+#include "placed_shape.h"
 
 #include "scaling.h"
 #include "validity.h"
@@ -11,7 +11,7 @@ namespace {
 /// Coordinates times 2^headroom can be added and subtracted without overflow.
 constexpr int headroom = -6;
 
-Separation separation(const Body& a, const Body& b)
+Separation separation(const PlacedShape& a, const PlacedShape& b)
 {
     if (!a.bounded) return flipped(separation(b.core, a.border));
     return b.bounded ? separation(a.core, b.core) : separation(a.core, b.border);
@@ -40,7 +40,7 @@ Local local(const Shape& shape)
 
 } // namespace
 
-Body body(const Shape& shape, const Pose& pose, V3 origin, int exponent)
+PlacedShape placed_shape(const Shape& shape, const Pose& pose, V3 origin, int exponent)
 {
     const Rotation turn = rotation(pose.orientation);
     const V3 position = scaled(load(pose.position), exponent) - scaled(origin, exponent);
@@ -54,10 +54,10 @@ std::optional<Separation> separation(const Shape& a, const Pose& pose_a, const S
     if (unbounded(a) && unbounded(b)) return {};
     const V3 origin = load(unbounded(a) ? pose_b.position : pose_a.position);
     int e = 0;
-    Separation s = separation(body(a, pose_a, origin), body(b, pose_b, origin));
+    Separation s = separation(placed_shape(a, pose_a, origin), placed_shape(b, pose_b, origin));
     if (!is_finite(s.point_a) || !is_finite(s.point_b)) {
         e = headroom;
-        s = separation(body(a, pose_a, origin, e), body(b, pose_b, origin, e));
+        s = separation(placed_shape(a, pose_a, origin, e), placed_shape(b, pose_b, origin, e));
     }
     const auto out = [&](V3 p) { return scaled(p + scaled(origin, e), -e); };
     return Separation{std::ldexp(s.lower, -e), std::ldexp(s.gap, -e), s.normal, out(s.point_a),

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <brink/ledger.h>
+#include <brink/ray.h>
+#include <brink/toi.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+
+namespace brink {
+
+/// Names a body of a scene. Given in order 0, 1, 2, ... and, once removed, never given again.
+using BodyId = std::uint32_t;
+inline constexpr BodyId no_body = 0xffffffff;
+
+/// What a scene holds of one body.
+struct Body {
+    Shape shape{};
+    Motion motion{};            // over the step; of a body that is immovable or asleep it must be still
+    std::uint32_t category = 1; // the groups it belongs to, a bit each
+    std::uint32_t mask =
+        0xffffffff;         // the groups it meets: two bodies meet if each is in a group of the other's
+    bool immovable = false; // scenery: what never moves is not asked against what never moves
+    bool asleep = false;    // at rest for now: not asked against what sleeps or is immovable
+};
+
+struct SceneOptions {
+    Options pair{}; // what time_of_impact is asked for every pair
+    /// Pairs that may be decided exactly. Of those beyond only their swept spheres are told.
+    std::size_t max_tests = static_cast<std::size_t>(-1);
+    /// Of a shape that is cast and of a ray; a body's own say all else.
+    std::uint32_t category = 1, mask = 0xffffffff;
+    Layers without{}; // switched off, to see what they save: no answer changes
+};
+
+/// The first contact of two bodies, a < b, in [0, t_max]: toi.status is touching, hit or undecided. Of a
+/// shape that is cast, a is no_body. A pair that is nowhere in contact has none.
+struct Impact {
+    BodyId a = no_body, b = no_body;
+    Toi toi{};
+};
+
+/// Ordered by (t, a, b). Valid until the scene is next asked or changed.
+struct Impacts {
+    std::span<const Impact> found;
+    /// No pair beyond those found touches before this time; t_max unless max_tests ran out.
+    double known_until = 0;
+};
+
+/// Two bodies, a < b.
+struct BodyPair {
+    BodyId a = no_body, b = no_body;
+    friend bool operator==(const BodyPair&, const BodyPair&) = default;
+};
+
+/// When a body has to halt.
+struct SafeTime {
+    BodyId body = no_body;
+    double t = 1;
+};
+
+struct RayImpact {
+    BodyId body = no_body;
+    RayHit hit{};
+};
+
+/// Many moving bodies, asked as one.
+///
+/// Pairs in which neither body can move (immovable or asleep) are not asked, nor those that masks or the pair
+/// filter exclude, nor two planes or half-spaces. Of all others every query answers exactly as
+/// time_of_impact(lower id, higher id) would for each of them alone, bit for bit and on any number of threads
+/// (oneTBB's, of the arena it is called in): what is skipped cannot matter. Only where time_of_impact would
+/// be undecided about bodies that bounds prove apart, the scene knows better.
+///
+/// Queries use the scene's own memory: one at a time, and none while the scene changes. Once a scene has been
+/// asked, a step that is no larger allocates nothing. Lengths up to 1e38 are culled, larger ones only asked.
+///
+/// Changes and queries throw std::invalid_argument, which names field, value and id, and then leave the scene
+/// as it was; changing or asking a scene from its own visitor or filter throws std::logic_error.
+class Scene {
+public:
+    /// Told of an impact; returns the time until which it wants to hear of more: what begins later is left
+    /// out. t_max changes nothing, a negative number ends the query.
+    using Visitor = std::function<double(const Impact&)>;
+    /// Whether two bodies, a < b, may meet at all. Called from several threads; must always answer the same.
+    using PairFilter = std::function<bool(BodyId a, BodyId b)>;
+
+    Scene();
+    ~Scene();
+    Scene(Scene&&) noexcept;
+    Scene& operator=(Scene&&) noexcept;
+
+    BodyId add(const Body&);
+    void replace(BodyId, const Body&);
+    void remove(BodyId);
+    void set_motion(BodyId, const Motion&);
+    /// bodies[i] moves as motions[i] from now on; of the same length, no body twice. All or, if one is
+    /// invalid, none.
+    void set_motions(std::span<const BodyId> bodies, std::span<const Motion> motions);
+    /// Makes the body stand still at the start of its motion, and sleep.
+    void sleep(BodyId);
+    void wake(BodyId);
+    /// An empty one lets all pairs meet.
+    void set_filter(PairFilter);
+
+    std::size_t size() const;
+    bool contains(BodyId) const;
+    const Body& body(BodyId) const;
+    /// Its bounds over the whole step as the broad phase holds them: rounded outwards to float, and with room
+    /// for rounding. All of space where nothing smaller is known.
+    Aabb swept_bounds(BodyId);
+
+    /// Brings the bounds of what has changed up to date. Every query does it first; by itself it is of use to
+    /// measure, or to do that work early.
+    void update();
+
+    /// The earliest of all impacts; of those at the same time, that of the lowest ids. Where there is none,
+    /// toi.status is separated; undecided, at a time before which no two bodies touch, where that of the pair
+    /// is or where max_tests ran out.
+    Impact first_impact(const SceneOptions& = {});
+
+    /// The first impact of every pair that has one.
+    Impacts impacts(const SceneOptions& = {});
+    /// The same one by one, in no particular order (but always the same), in bounded memory.
+    void visit_impacts(const Visitor&, const SceneOptions& = {});
+
+    /// For every body, by id: a time such that, when each follows its motion until then and stands still at
+    /// Motion::at of it from then on, no two bodies overlap until t_max. A body halts where it first meets
+    /// another, moving or halted. Bodies in contact at the start follow options.pair.start_contact. Unlike
+    /// the other queries it says nothing closer than the rounding of Motion::at. Valid until the next query.
+    std::span<const SafeTime> safe_times(const SceneOptions& = {});
+
+    /// The first of the impacts that a moving shape would have as a body of the scene.
+    Impact cast(const Shape&, const Motion&, const SceneOptions& = {});
+    /// All of them.
+    Impacts cast_all(const Shape&, const Motion&, const SceneOptions& = {});
+
+    /// The pairs that overlap at t = 0, ordered; touching is overlapping.
+    std::span<const BodyPair> overlapping(const SceneOptions& = {});
+    /// The pairs whose swept_bounds overlap, in no particular order (but always the same): what a broad phase
+    /// alone hands on.
+    std::span<const BodyPair> candidates();
+
+    /// The first body at t = 0 that the ray meets (of equals the lowest id), t in lengths of `direction`;
+    /// hit.status is separated where there is none.
+    RayImpact ray_cast(const Vec3& origin, const Vec3& direction, double t_max = 1, const SceneOptions& = {});
+    /// All of them, ordered by (t, id).
+    std::span<const RayImpact> ray_cast_all(const Vec3& origin, const Vec3& direction, double t_max = 1,
+                                            const SceneOptions& = {});
+
+    /// What the last query did.
+    const Ledger& ledger() const;
+    /// Bytes that the broad phase holds beside the bodies themselves.
+    std::size_t broad_phase_bytes() const;
+
+private:
+    struct Data;
+    std::unique_ptr<Data> data_;
+};
+
+} // namespace brink
