@@ -20,6 +20,8 @@ using TwoFlags = long long __attribute__((vector_size(16)));
 static inline Two both(double value) { return Two{value, value}; }
 static inline XYZ<Two> both(V3 v) { return {both(v.x), both(v.y), both(v.z)}; }
 static inline XYZ<Two> pair(V3 a, V3 b) { return {Two{a.x, b.x}, Two{a.y, b.y}, Two{a.z, b.z}}; }
+static inline V3 first(XYZ<Two> v) { return {v.x[0], v.y[0], v.z[0]}; }
+static inline V3 second(XYZ<Two> v) { return {v.x[1], v.y[1], v.z[1]}; }
 
 /// Two that lie side by side in memory.
 static inline Two load_two(const double* p)
