@@ -38,12 +38,13 @@ static inline Two magnitude(Two v)
     return reinterpret_cast<Two>(reinterpret_cast<TwoFlags>(v) & ~reinterpret_cast<TwoFlags>(both(-0.0)));
 }
 
-/// -v where `way` is positive, v where it is negative.
-static inline Two against(Two v, Two way)
+/// v where `way` is positive, -v where it is negative.
+static inline Two along(Two v, Two way)
 {
     const TwoFlags sign = reinterpret_cast<TwoFlags>(way) & reinterpret_cast<TwoFlags>(both(-0.0));
-    return reinterpret_cast<Two>(reinterpret_cast<TwoFlags>(-v) ^ sign);
+    return reinterpret_cast<Two>(reinterpret_cast<TwoFlags>(v) ^ sign);
 }
+static inline Two against(Two v, Two way) { return along(-v, way); }
 
 /// The first where it is larger or smaller, else the second; so the second where either is NaN.
 static inline Two larger(Two a, Two b)
@@ -81,6 +82,8 @@ static inline Two square_root(Two v)
     return Two{std::sqrt(v[0]), std::sqrt(v[1])};
 #endif
 }
+
+static inline Two norm(XYZ<Two> v) { return square_root(norm_squared(v)); }
 
 /// What a b differs from `product`, its rounding, by (Dekker 1971): the same bits with and without fused
 /// multiply-add hardware, because it is exact either way.
