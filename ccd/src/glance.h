@@ -91,6 +91,16 @@ static inline std::uint64_t any_bit(const Vec3& v)
     return (bits(c[0]) | bits(c[1]) | bits(c[2])) << 1U;
 }
 
+/// turns() by the bits: what translates is not to wait for it.
+template <class Shape> [[gnu::always_inline]] static inline bool seen_turning(const Shape&, const Motion& m)
+{
+    const bool rotates = any_bit(m.rotation) != 0;
+    if constexpr (std::is_same_v<Shape, Sphere>)
+        return all(rotates, any_bit(m.pivot) != 0);
+    else
+        return rotates;
+}
+
 /// Whether the largest of up to 2^10 lengths, which add up to this, needs no scaling (rescale.h).
 static inline bool of_turning_scale(double lengths)
 {

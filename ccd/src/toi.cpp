@@ -143,8 +143,8 @@ template <class A, class B> Toi solve_turning(const Query& q)
 }
 
 template <class A, class B>
-Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
-          const Options& options)
+[[gnu::noinline]] Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
+                            const Options& options)
 {
     const Query q{a, motion_a, b, motion_b, options};
     if (usual_turning<A, B>(q)) return solve_turning<A, B>(q, 0);
@@ -170,7 +170,7 @@ template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)
 Toi solve_exactly(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
                   const Options& options)
 {
-    if (turns(as<A>(a), motion_a) || turns(as<B>(b), motion_b))
+    if (!all(!seen_turning(as<A>(a), motion_a), !seen_turning(as<B>(b), motion_b)))
         return solve<A, B>(a, motion_a, b, motion_b, options);
     const Query q{a, motion_a, b, motion_b, options};
     const Approach m = approach(q);
