@@ -68,20 +68,27 @@ JOIN_ATTR inline void meet(const Balls& one, int lane, const Balls& balls, const
         const V sum = Abs(d[0]) + Abs(d[1]) + Abs(d[2]) + (Abs(v[0]) + Abs(v[1]) + Abs(v[2]));
         const V radius =
             load(balls.radius + i) + all_of(one.radius[lane]) + all_of(rules.grown) + slack * sum;
-        const V square = radius * radius, enough = square + slack * square + least;
+        const V square = radius * radius;
+        const V enough =
+            IfThenElse(sum <= all_of(tolerance::largest_squared), square + slack * square + least,
+                       all_of(std::numeric_limits<float>::infinity()));
         const V dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
         const V b = d[0] * v[0] + d[1] * v[1] + d[2] * v[2];
         const V a = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
         const auto nearing = b < zero;
-        const V t = IfThenElse(nearing, Min((zero - b) / a, until), zero);
+        const V inverse = all_of(1) / a, nearest = (zero - b) * inverse;
+        const V t = IfThenElse(nearing, Min(nearest, until), zero);
         const V x = d[0] + t * v[0], y = d[1] + t * v[1], z = d[2] + t * v[2];
         const auto apart = x * x + y * y + z * z > enough;
 
-        const V c = dd - square;
-        const V root = Sqrt(Max(b * b - a * c, zero) + slack * (a * dd));
-        const V entry = c / (root - b);
+        // In times, not in squares of squares, which would leave the range of floats below 1e-9 and above
+        // 1e9.
+        const V c = (dd - square) * inverse;
+        const V root = Sqrt(Max(nearest * nearest - c, zero) + slack * (dd * inverse));
+        const V entry = c / (root + nearest);
         const V early = entry - all_of(tolerance::time_slack) * entry;
-        const V start = IfThenElse(And(dd > enough, early > zero), early, zero); // NaN is not above zero
+        const auto told = And(And(dd > enough, a > least), early > zero); // NaN is not above zero
+        const V start = IfThenElse(told, early, zero);
         store(m.t + i, start);
         m.receding |= bits_of(AndNot(nearing, apart)) << i;
         m.passing |= bits_of(And(nearing, apart)) << i;

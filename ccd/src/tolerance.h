@@ -237,6 +237,9 @@ inline constexpr double border_room = 0x1p-40;
 /// Squares of lengths below this have lost digits to underflow.
 inline constexpr float smallest_square = 0x1p-100F;
 
+/// Squares of sums of lengths up to this are floats, and so are sums of a few of them.
+inline constexpr float largest_squared = 0x1p62F;
+
 /// Cross products of a swept segment in floats are off by less than this part of the products they are
 /// differences of: 2^-24 for each of five operations.
 inline constexpr float segment_slack = 0x1p-20F;

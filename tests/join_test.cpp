@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "join.h"
+
+#include "sweep_field.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <set>
+
+using namespace brink;
+using support::Joined;
+using support::overlap;
+using support::pairs_in;
+using support::plan_of;
+using support::Random;
+using support::Real;
+using support::SlotPair;
+using support::SweepField;
+
+namespace {
+
+constexpr std::size_t plenty = 2048;
+
+bool same(const Joined& x, const Joined& y, bool with_times)
+{
+    const auto equal = [&](const Candidate& a, const Candidate& b) {
+        const bool t = std::bit_cast<std::uint32_t>(a.t) == std::bit_cast<std::uint32_t>(b.t);
+        return a.a == b.a && a.b == b.b && (t || !with_times);
+    };
+    return std::equal(x.found.begin(), x.found.end(), y.found.begin(), y.found.end(), equal) &&
+           x.counts.met == y.counts.met && x.counts.receding == y.counts.receding &&
+           x.counts.spheres == y.counts.spheres && x.counts.late == y.counts.late;
+}
+
+/// What a list of candidates leaves out that meets in time, and says too late.
+struct Faults {
+    int lost = 0, late = 0;
+    std::size_t meeting = 0, kept = 0;
+};
+
+Faults faults_of(const Joined& joined, const SweepField& of, const SweepField& with, const Plan& plan)
+{
+    const bool self = &of == &with;
+    const Real grown = plan.rules.grown, until = plan.rules.until, follow = plan.rules.follow;
+    const std::set<SlotPair> found = pairs_in(joined, self);
+    Faults f;
+    f.kept = joined.found.size();
+    for (std::uint32_t i = 0; i < of.sweeps.size(); ++i) {
+        for (std::uint32_t k = self ? i + 1 : 0; k < with.sweeps.size(); ++k) {
+            if (of.living[i] == 0 || with.living[k] == 0) continue;
+            if (!(support::first_meeting(of.sweeps[i], with.sweeps[k], grown, follow) <= until)) continue;
+            ++f.meeting;
+            f.lost += found.contains({i, k}) ? 0 : 1;
+        }
+    }
+    for (const Candidate& c : joined.found)
+        f.late += Real{c.t} > support::first_meeting(of.sweeps[c.a], with.sweeps[c.b], grown, follow);
+    return f;
+}
+
+} // namespace
+
+TEST_CASE("join: the widest and the plain one find the same in the same order, whatever the rules")
+{
+    std::size_t found = 0, dropped = 0;
+    for (const std::size_t n : {1, 17, 100, 2000}) {
+        const SweepField field = support::draw_field(n, 1, 20261122 + n);
+        const SweepField other = support::draw_field(n, 1, 77 + n);
+        for (unsigned bits = 0; bits < 32; ++bits) {
+            if (n > 100 && (bits & 1U) == 0) continue;
+            for (const float until : {1.0F, 0.3F, 0.0F}) {
+                Plan plan = plan_of(bits, until < 1 ? 0.05F : 0, until);
+                CAPTURE(n);
+                CAPTURE(bits);
+                CAPTURE(until);
+                const Joined wide = support::join_all(widest_join(), field, field, plan, plenty);
+                const Joined narrow = support::join_all(plain_join(), field, field, plan, plenty);
+                CHECK(same(wide, narrow, plan.rules.balls));
+                found += wide.found.size();
+                dropped += wide.counts.met - wide.found.size();
+                plan.rules.follow = 0;
+                if (n > 100) continue;
+                CHECK(same(support::join_all(widest_join(), field, other, plan, plenty),
+                           support::join_all(plain_join(), field, other, plan, plenty), plan.rules.balls));
+            }
+        }
+    }
+    CHECK(found > 1'000'000);
+    CHECK(dropped > 100'000);
+}
+
+TEST_CASE("join: by boxes, each overlapping pair of living bodies once and no other")
+{
+    for (const std::size_t n : {1, 16, 17, 300, 5000}) {
+        const SweepField field = support::draw_field(n, 1, 5 + n);
+        std::set<SlotPair> all;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            for (std::uint32_t k = i + 1; k < n; ++k) {
+                const bool lives = field.living[i] != 0 && field.living[k] != 0;
+                if (lives && overlap(field.sweeps[i].box, field.sweeps[k].box)) all.insert({i, k});
+            }
+        }
+        CAPTURE(n);
+        const Joined joined = support::join_all(widest_join(), field, field, plan_of(1, 0, 1), plenty);
+        CHECK(pairs_in(joined, true) == all);
+        CHECK(joined.counts.met == all.size());
+        CHECK(all.size() >= (n > 16 ? n : 0));
+        const Joined uncut = support::join_all(widest_join(), field, field, plan_of(0, 0, 1), plenty);
+        const auto living = static_cast<std::size_t>(std::count(field.living.begin(), field.living.end(), 1));
+        if (n < 5000) CHECK(pairs_in(uncut, true).size() == living * (living - 1) / 2);
+    }
+}
+
+TEST_CASE("join: what balls drop is proven apart, and no time is late, at every scale")
+{
+    std::size_t meeting = 0, dropped = 0;
+    for (const double size :
+         {1e-36, 1e-20, 1e-15, 1e-13, 1e-12, 1e-9, 1e-4, 1.0, 1e4, 1e9, 1e15, 1e18, 1e20, 1e25, 1e30, 1e34}) {
+        const auto grown = static_cast<float>(0.03 * size);
+        const SweepField field = support::draw_field(299, size, 20261122);
+        const SweepField other = support::draw_field(180, size, 1122);
+        for (const float until : {1.0F, 0.4F, 0.0F}) {
+            for (const unsigned bits : {7U, 11U, 19U, 31U}) {
+                Plan plan = plan_of(bits, until == 0.4F ? grown : 0, until);
+                CAPTURE(size);
+                CAPTURE(until);
+                CAPTURE(bits);
+                const Joined own = support::join_all(widest_join(), field, field, plan, plenty);
+                const Faults f = faults_of(own, field, field, plan);
+                CHECK(f.lost == 0);
+                CHECK(f.late == 0);
+                plan.rules.follow = 0;
+                const Faults cast = faults_of(support::join_all(widest_join(), field, other, plan, plenty),
+                                              field, other, plan);
+                CHECK(cast.lost == 0);
+                CHECK(cast.late == 0);
+                meeting += f.meeting + cast.meeting;
+                dropped += own.counts.met - f.kept;
+                if (bits == 31 && std::fabs(std::log10(size)) < 10) CHECK(f.kept < 2 * f.meeting);
+            }
+        }
+    }
+    CHECK(meeting > 100'000);
+    CHECK(dropped > 30'000);
+}
+
+TEST_CASE("join: a buffer without room is gone on with where it was left")
+{
+    for (const std::size_t n : {100, 300, 1500}) {
+        const SweepField field = support::draw_field(n, 0.7, 9 + n);
+        for (const unsigned bits : {1U, 3U, 31U}) {
+            const Plan plan = plan_of(bits, 0, 1);
+            const Joined at_once = support::join_all(widest_join(), field, field, plan, 1U << 20U);
+            for (const std::size_t room : {272, 273, 400, 1000}) {
+                CAPTURE(n);
+                CAPTURE(room);
+                CHECK(same(at_once, support::join_all(widest_join(), field, field, plan, room), bits != 1));
+                CHECK(same(at_once, support::join_all(plain_join(), field, field, plan, room), bits != 1));
+            }
+            CHECK(at_once.found.size() > n / 2);
+        }
+    }
+}
