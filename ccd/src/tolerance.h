@@ -209,4 +209,36 @@ inline constexpr double largest_lengths = 0x1p60;
 /// larger than what they would be scaled for.
 inline constexpr double largest_position = 0x1p1000;
 
+/// What a scene's bounds of one body grow by, of the lengths and arcs that enter them: eight times the band
+/// of promise 3 (32 u of the lengths of both), which leaves room for the rounding of the bounds themselves.
+inline constexpr double sweep_slack = 256 * unit_roundoff;
+
+/// Beyond such lengths bounds are all of space, so that nothing overflows a float.
+inline constexpr double largest_culled = 0x1p120;
+
+/// A float that is to lie outside of what it stands for: the conversion to nearest and the two operations
+/// that move it are each off by 2^-24 of it.
+inline constexpr float float_outwards = 0x1p-22F;
+
+/// Rounding errors of coordinates, added up as doubles, bound the distance by which a point is off.
+inline constexpr double float_sums = 1 + 0x1p-20;
+
+/// Balls in floats grow by this part of (relative position + relative motion): 2^-24 for each of the dozen
+/// operations between the coordinates and the squared distance, and for the root of it.
+inline constexpr float ball_slack = 0x1p-19F;
+
+/// A float's time of contact is rounded down by this part of itself: that of a dozen operations.
+inline constexpr float time_slack = 0x1p-18F;
+
+/// A ball passes a plane when it is farther than this part of all lengths, many times the rounding of
+/// doubles.
+inline constexpr double border_room = 0x1p-40;
+
+/// Squares of lengths below this have lost digits to underflow.
+inline constexpr float smallest_square = 0x1p-100F;
+
+/// Cross products of a swept segment in floats are off by less than this part of the products they are
+/// differences of: 2^-24 for each of five operations.
+inline constexpr float segment_slack = 0x1p-20F;
+
 } // namespace brink::tolerance

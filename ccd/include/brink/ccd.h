@@ -5,5 +5,6 @@
 #include <brink/motion.h>
 #include <brink/overlap.h>
 #include <brink/ray.h>
+#include <brink/scene.h>
 #include <brink/shape.h>
 #include <brink/toi.h>

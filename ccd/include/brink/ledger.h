@@ -17,8 +17,9 @@ enum class Layer : unsigned char {
     late,      // the balls around them meet later than what is already known or asked for
     mask,      // category and mask
     filter,    // the user's
+    simd,      // settles no pair: sixteen bodies at once, with the widest instructions there are
 };
-inline constexpr int layer_count = 8;
+inline constexpr int layer_count = 8; // that settle pairs
 
 /// A set of layers.
 struct Layers {
@@ -39,6 +40,7 @@ struct Ledger {
     std::array<std::uint64_t, layer_count> removed{}; // by Layer
     std::uint64_t exact = 0;                          // asked exactly
     std::uint64_t left = 0;                           // not looked at: stopped, or beyond max_tests
+    std::uint64_t again = 0;                          // asked once more because a partner halted (safe_times)
     double update_seconds = 0, search_seconds = 0, exact_seconds = 0, order_seconds = 0;
 
     std::uint64_t by(Layer l) const { return removed[static_cast<unsigned>(l)]; }

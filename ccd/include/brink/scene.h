@@ -68,6 +68,8 @@ struct RayImpact {
     RayHit hit{};
 };
 
+struct SceneData;
+
 /// Many moving bodies, asked as one.
 ///
 /// Pairs in which neither body can move (immovable or asleep) are not asked, nor those that masks or the pair
@@ -158,8 +160,7 @@ public:
     std::size_t broad_phase_bytes() const;
 
 private:
-    struct Data;
-    std::unique_ptr<Data> data_;
+    std::unique_ptr<SceneData> data_;
 };
 
 } // namespace brink

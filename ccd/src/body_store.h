@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <brink/scene.h>
+
+#include <span>
+#include <vector>
+
+namespace brink {
+
+/// The bodies of a scene in slots, which are used again, and under ids, which are not.
+struct BodyStore {
+    std::vector<Body> bodies;         // by slot
+    std::vector<BodyId> ids;          // by slot; no_body where the slot is free
+    std::vector<std::uint32_t> slots; // by id; no_slot where the body is gone
+    std::vector<std::uint32_t> free_slots;
+    std::size_t picky = 0;                 // bodies whose mask leaves some group out
+    std::size_t immovable = 0, asleep = 0; // bodies; who is both is immovable
+
+    std::size_t count() const { return bodies.size() - free_slots.size(); }
+    bool contains(BodyId) const;
+    /// Throws std::invalid_argument where there is no such body.
+    std::uint32_t slot(BodyId) const;
+    /// The body's slot; ids[slot] is its id.
+    std::uint32_t add(const Body&);
+    void replace(std::uint32_t slot, const Body&);
+    void remove(std::uint32_t slot);
+
+private:
+    void count(const Body&, std::size_t by);
+};
+
+static inline bool at_rest(const Body& b) { return b.immovable || b.asleep; }
+/// Whether masks let two bodies meet.
+static inline bool masks_meet(std::uint32_t category_a, std::uint32_t mask_a, std::uint32_t category_b,
+                              std::uint32_t mask_b)
+{
+    return (category_a & mask_b) != 0 && (category_b & mask_a) != 0;
+}
+
+/// Throw std::invalid_argument that names field, value and id where something is out of range.
+void check(const Body&, BodyId);
+void check(const Motion&, const Body& of, BodyId);
+void check(const SceneOptions&);
+void check_cast(const Shape&, const Motion&);
+void check_ray(const Vec3& origin, const Vec3& direction, double t_max);
+
+} // namespace brink

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "broad_phase.h"
+
+#include "parallel.h"
+#include "place_order.h"
+#include "placed_shape.h"
+#include "sweep.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace brink {
+
+namespace {
+
+constexpr std::size_t width = lanes;
+
+/// Leaves that take up this much more than when they were sorted are sorted again.
+constexpr double come_apart = 1.5;
+
+/// Arrivals are taken into the tree of what rests when they are more than this many, and an eighth of it.
+constexpr std::size_t few_arrivals = 256;
+
+/// Whether most lanes are empty.
+bool sparse(const BlockTree& tree) { return 2 * (tree.count + width) < tree.slots.size(); }
+
+Seat seat(std::size_t place, Home home)
+{
+    Seat s;
+    s.place = static_cast<std::uint32_t>(place) & 0x0fffffffU;
+    s.home = home;
+    return s;
+}
+
+} // namespace
+
+const BlockTree& BroadPhase::tree(Home home) const
+{
+    return home == Home::movers ? movers : home == Home::resting ? resting : arrived;
+}
+
+void BroadPhase::add(std::uint32_t slot, const BodyStore& store)
+{
+    seats_.resize(store.bodies.size());
+    const Body& body = store.bodies[slot];
+    if (brink::unbounded(body.shape)) {
+        unbounded.push_back(slot);
+        seats_[slot].home = Home::unbounded;
+        return;
+    }
+    seats_[slot].home = Home::joining;
+    (at_rest(body) ? new_resting_ : new_movers_).push_back(slot);
+}
+
+void BroadPhase::remove(std::uint32_t slot)
+{
+    const Home home = seats_[slot].home;
+    seats_[slot].home = Home::none;
+    if (home == Home::unbounded)
+        std::erase(unbounded, slot);
+    else if (home == Home::joining) {
+        std::erase(new_movers_, slot);
+        std::erase(new_resting_, slot);
+    } else {
+        tree(home).erase(seats_[slot].place);
+    }
+}
+
+void BroadPhase::moved(std::uint32_t slot, const BodyStore& store)
+{
+    const Home home = seats_[slot].home;
+    if (home == Home::movers) {
+        seats_[slot].stale = any_stale_ = true;
+    } else if (home == Home::resting || home == Home::arrived) {
+        remove(slot);
+        add(slot, store);
+    }
+}
+
+Box3f BroadPhase::box(std::uint32_t slot) const
+{
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    const Seat seat = seats_[slot];
+    if (seat.home == Home::unbounded) return {{-inf, -inf, -inf}, {inf, inf, inf}};
+    return box_at(tree(seat.home).levels[0][seat.place / width], static_cast<int>(seat.place % width));
+}
+
+void BroadPhase::update(const BodyStore& store)
+{
+    const bool joined = !new_movers_.empty() || !new_resting_.empty();
+    if (joined) {
+        const V3 origin_before = origin;
+        origin = origin_for(store, origin);
+        if (!(origin == origin_before)) rebuild_all(store);
+    }
+    settle(store);
+    if (!new_movers_.empty() || sparse(movers)) return build(movers, Home::movers, new_movers_, store);
+    if (!any_stale_) return;
+    refit(store);
+    if (movers.spread() > come_apart * spread_when_built_) build(movers, Home::movers, new_movers_, store);
+}
+
+void BroadPhase::rebuild_all(const BodyStore& store)
+{
+    build(movers, Home::movers, new_movers_, store);
+    build(resting, Home::resting, new_resting_, store);
+    build(arrived, Home::arrived, new_resting_, store);
+}
+
+/// Takes in what came to rest.
+void BroadPhase::settle(const BodyStore& store)
+{
+    if (sparse(resting)) build(resting, Home::resting, new_resting_, store);
+    if (new_resting_.empty()) return;
+    if (arrived.count + new_resting_.size() > few_arrivals + resting.count / 8) {
+        for (const std::uint32_t slot : arrived.slots)
+            if (slot != no_slot) new_resting_.push_back(slot);
+        arrived.clear();
+        build(resting, Home::resting, new_resting_, store);
+    } else {
+        build(arrived, Home::arrived, new_resting_, store);
+    }
+}
+
+/// The tree from its own bodies and those that join it, sorted by place.
+void BroadPhase::build(BlockTree& to, Home home, std::vector<std::uint32_t>& joining, const BodyStore& store)
+{
+    auto& keys = sorting_.keys;
+    keys.clear();
+    keys.reserve(to.count + joining.size());
+    for (const std::uint32_t slot : to.slots)
+        if (slot != no_slot) keys.push_back({0, slot});
+    for (const std::uint32_t slot : joining)
+        keys.push_back({0, slot});
+    joining.clear();
+    if (joining.capacity() > few_arrivals) joining.shrink_to_fit();
+    sort_by_place(sorting_, store);
+
+    to.resize(keys.size());
+    to.count = keys.size();
+    for_each_part(to.leaves(), [&](std::size_t leaf) {
+        const std::size_t end = std::min(width * (leaf + 1), keys.size());
+        for (std::size_t place = width * leaf; place < end; ++place) {
+            const std::uint32_t slot = keys[place].slot;
+            to.set(place, slot, sweep(store.bodies[slot], origin));
+            seats_[slot] = seat(place, home);
+        }
+    });
+    to.bound(store.ids);
+    if (home == Home::movers) {
+        spread_when_built_ = to.spread();
+        any_stale_ = false;
+    }
+}
+
+void BroadPhase::refit(const BodyStore& store)
+{
+    for_each_part(movers.leaves(), [&](std::size_t leaf) {
+        for (std::size_t place = width * leaf; place < width * (leaf + 1); ++place) {
+            const std::uint32_t slot = movers.slots[place];
+            if (slot == no_slot || !seats_[slot].stale) continue;
+            movers.set(place, slot, sweep(store.bodies[slot], origin));
+            seats_[slot].stale = false;
+        }
+    });
+    movers.bound(store.ids);
+    any_stale_ = false;
+}
+
+std::size_t BroadPhase::bytes() const
+{
+    const auto held = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+    return movers.bytes() + resting.bytes() + arrived.bytes() + held(unbounded) + held(seats_) +
+           held(new_movers_) + held(new_resting_) + held(sorting_.keys) + held(sorting_.other);
+}
+
+} // namespace brink

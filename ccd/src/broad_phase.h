@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "block_tree.h"
+#include "body_store.h"
+#include "place_order.h"
+#include "vector.h"
+
+#include <utility>
+#include <vector>
+
+namespace brink {
+
+/// Where the broad phase keeps a body.
+enum class Home : unsigned char { none, joining, movers, resting, arrived, unbounded };
+struct Seat {
+    std::uint32_t place : 28 = 0; // in its tree
+    Home home : 3 = Home::none;
+    bool stale : 1 = false; // has moved since its bounds were told
+};
+
+/// Where every body of a scene may be over the step.
+///
+/// Movers are in a tree that is refitted every step and built anew when its leaves have come apart. What
+/// rests is in one that is only built when much has changed: what came to rest since then is in a small third
+/// tree, what left it is an empty lane. Planes and half-spaces are in no tree.
+struct BroadPhase {
+    V3 origin;
+    BlockTree movers, resting, arrived;
+    std::vector<std::uint32_t> unbounded; // slots, in the order of their arrival
+
+    void add(std::uint32_t slot, const BodyStore&);
+    void remove(std::uint32_t slot);
+    /// Its motion is another than before.
+    void moved(std::uint32_t slot, const BodyStore&);
+    void update(const BodyStore&);
+    /// The bounds as held; after update().
+    Box3f box(std::uint32_t slot) const;
+    bool is_unbounded(std::uint32_t slot) const { return seats_[slot].home == Home::unbounded; }
+    std::size_t bytes() const;
+
+private:
+    void build(BlockTree&, Home, std::vector<std::uint32_t>& joining, const BodyStore&);
+    void rebuild_all(const BodyStore&);
+    void refit(const BodyStore&);
+    void settle(const BodyStore&);
+    const BlockTree& tree(Home) const;
+    BlockTree& tree(Home home) { return const_cast<BlockTree&>(std::as_const(*this).tree(home)); }
+
+    std::vector<Seat> seats_; // by slot
+    std::vector<std::uint32_t> new_movers_, new_resting_;
+    PlaceSorting sorting_;
+    bool any_stale_ = false;
+    double spread_when_built_ = 0;
+};
+
+} // namespace brink

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "block_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/// Sixteen bodies at once against a tree: which of its bodies each may meet.
+namespace brink {
+
+/// What is asked of the tree: boxes and balls of sixteen bodies, grown by what counts as contact.
+struct Packet {
+    Boxes boxes{};
+    Balls balls{};
+    Mask held = 0; // lanes with a body
+    Mask far =
+        0; // of those, the ones that travel far for their size: their path is looked at, not only its box
+    Box3f bound = empty_box;
+    BodyId least = no_body; // the lowest id
+    std::uint32_t slots[lanes]{};
+};
+
+struct JoinRules {
+    bool boxes = true;                                 // cull by them
+    bool balls = true;                                 // cull by them
+    bool receding = true, spheres = true, late = true; // which of the three ways
+    float grown = 0;                                   // balls that come this near count as meeting
+    float until = 1;                                   // meetings later than this are late
+    float follow = 1;                                  // 0: the tree's bodies stand still at their start
+    BodyId below = no_body; // pairs of which neither id is at most this do not matter
+};
+
+/// Two bodies that may meet, and a time before which they do not.
+struct Candidate {
+    std::uint32_t a, b; // slots
+    float t;
+};
+
+struct JoinCounts {
+    std::uint64_t met = 0; // pairs whose boxes overlap
+    std::uint64_t receding = 0, spheres = 0, late = 0;
+};
+
+/// Candidates in the order found. Never grows while it is filled.
+struct Candidates {
+    std::vector<Candidate> list;
+    std::size_t count = 0;
+    bool has_room() const { return count + std::size_t{lanes} * lanes <= list.size(); }
+};
+
+inline constexpr std::uint32_t no_leaf = 0xffffffff;
+
+/// The packet against all leaves from `first` on, and where `own` is one of them against itself (each pair
+/// once). Returns the leaf at which there was no room left for what may come, or no_leaf at the end.
+using Join = std::uint32_t (*)(const Packet&, const BlockTree&, std::uint32_t own, std::uint32_t first,
+                               const JoinRules&, Candidates&, JoinCounts&);
+
+/// The widest that this machine can run. All find the same candidates in the same order.
+Join widest_join();
+/// The one that every machine can run.
+Join plain_join();
+
+} // namespace brink

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+namespace brink {
+
+/// A reference to something that may be called with an index. It must outlive the reference.
+class PartTask {
+public:
+    template <class F>
+    requires(!std::is_same_v<std::remove_cvref_t<F>, PartTask>) PartTask(F&& task)
+        : task_(&task),
+          call_([](const void* t, std::size_t i) { (*static_cast<const std::remove_reference_t<F>*>(t))(i); })
+    {
+    }
+    void operator()(std::size_t i) const { call_(task_, i); }
+
+private:
+    const void* task_;
+    void (*call_)(const void*, std::size_t);
+};
+
+/// Calls task(0), ..., task(count - 1), in any order and side by side in the caller's oneTBB arena where
+/// there is one. Small parts are taken together, so many as `grain`.
+void for_each_part(std::size_t count, PartTask task, std::size_t grain = 64);
+
+} // namespace brink

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <brink/scene.h>
+
+#include "scene_data.h"
+#include "sweep.h"
+#include "tolerance.h"
+
+#include <string>
+#include <utility>
+
+namespace brink {
+
+namespace {
+
+void refuse_while_asked(const SceneData& data)
+{
+    if (data.busy)
+        throw std::logic_error("brink::Scene: changed or asked from within one of its own queries");
+}
+
+} // namespace
+
+Scene::Scene() : data_(std::make_unique<SceneData>()) {}
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+BodyId Scene::add(const Body& body)
+{
+    refuse_while_asked(*data_);
+    check(body, static_cast<BodyId>(data_->store.slots.size()));
+    const std::uint32_t slot = data_->store.add(body);
+    data_->broad.add(slot, data_->store);
+    return data_->store.ids[slot];
+}
+
+void Scene::replace(BodyId id, const Body& body)
+{
+    refuse_while_asked(*data_);
+    const std::uint32_t slot = data_->store.slot(id);
+    check(body, id);
+    data_->broad.remove(slot);
+    data_->store.replace(slot, body);
+    data_->broad.add(slot, data_->store);
+}
+
+void Scene::remove(BodyId id)
+{
+    refuse_while_asked(*data_);
+    const std::uint32_t slot = data_->store.slot(id);
+    data_->broad.remove(slot);
+    data_->store.remove(slot);
+}
+
+void Scene::set_motion(BodyId id, const Motion& motion) { set_motions({&id, 1}, {&motion, 1}); }
+
+void Scene::set_motions(std::span<const BodyId> bodies, std::span<const Motion> motions)
+{
+    refuse_while_asked(*data_);
+    if (bodies.size() != motions.size())
+        throw std::invalid_argument("brink::Scene: " + std::to_string(bodies.size()) + " bodies and " +
+                                    std::to_string(motions.size()) +
+                                    " motions: set_motions takes one for each");
+    BodyStore& store = data_->store;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        check(motions[i], store.bodies[store.slot(bodies[i])], bodies[i]);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const std::uint32_t slot = store.slots[bodies[i]];
+        store.bodies[slot].motion = motions[i];
+        data_->broad.moved(slot, store);
+    }
+}
+
+void Scene::sleep(BodyId id)
+{
+    Body body = this->body(id);
+    body.asleep = true;
+    body.motion.translation = body.motion.rotation = {0, 0, 0};
+    replace(id, body);
+}
+
+void Scene::wake(BodyId id)
+{
+    Body body = this->body(id);
+    body.asleep = false;
+    replace(id, body);
+}
+
+void Scene::set_filter(PairFilter filter)
+{
+    refuse_while_asked(*data_);
+    data_->filter = std::move(filter);
+}
+
+std::size_t Scene::size() const { return data_->store.count(); }
+bool Scene::contains(BodyId id) const { return data_->store.contains(id); }
+const Body& Scene::body(BodyId id) const { return data_->store.bodies[data_->store.slot(id)]; }
+
+Aabb Scene::swept_bounds(BodyId id)
+{
+    const std::uint32_t slot = data_->store.slot(id);
+    update();
+    const Box3f box = data_->broad.box(slot);
+    const V3 o = data_->broad.origin;
+    const auto corner = [&](const float(&c)[3]) {
+        return Vec3{o.x + static_cast<double>(c[0]), o.y + static_cast<double>(c[1]),
+                    o.z + static_cast<double>(c[2])};
+    };
+    return {corner(box.min), corner(box.max)};
+}
+
+void Scene::update()
+{
+    refuse_while_asked(*data_);
+    data_->broad.update(data_->store);
+}
+
+const Ledger& Scene::ledger() const { return data_->ledger; }
+std::size_t Scene::broad_phase_bytes() const { return data_->broad.bytes(); }
+
+Asking::Asking(SceneData& data) : data_(data)
+{
+    refuse_while_asked(data);
+    data.ledger = {};
+    const auto began = std::chrono::steady_clock::now();
+    data.broad.update(data.store);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    data.ledger.update_seconds = took.count();
+    data.busy = true;
+}
+
+Plan Asking::plan(const SceneOptions& options) const
+{
+    const Layers off = options.without;
+    Plan plan;
+    plan.rules.boxes = !off.has(Layer::bounds);
+    plan.rules.receding = !off.has(Layer::receding);
+    plan.rules.spheres = !off.has(Layer::spheres);
+    plan.rules.late = !off.has(Layer::late);
+    plan.rules.balls = plan.rules.receding || plan.rules.spheres || plan.rules.late;
+    plan.wide = !off.has(Layer::simd);
+    plan.without = off;
+    plan.rest_pairs = off.has(Layer::immovable) || off.has(Layer::asleep);
+    plan.grown = options.pair.target_gap + options.pair.tolerance;
+    plan.rules.grown = round_up(plan.grown * tolerance::float_sums);
+    plan.rules.until = plan.rules.late ? round_up(options.pair.t_max) : 1;
+    if (data_.filter) plan.filter = &data_.filter;
+    return plan;
+}
+
+namespace {
+
+std::uint64_t pairs_of(std::uint64_t n) { return n > 0 ? n * (n - 1) / 2 : 0; }
+
+struct Census {
+    std::uint64_t all = 0, immovable = 0, resting = 0;
+};
+
+/// Pairs that are asked of at all, leaving out two unbounded ones.
+Census pairs_in(const BodyStore& store, const BroadPhase& broad)
+{
+    Census unbounded;
+    for (const std::uint32_t slot : broad.unbounded) {
+        const Body& b = store.bodies[slot];
+        ++unbounded.all;
+        unbounded.immovable += b.immovable ? 1 : 0;
+        unbounded.resting += at_rest(b) ? 1 : 0;
+    }
+    return {pairs_of(store.count()) - pairs_of(unbounded.all),
+            pairs_of(store.immovable) - pairs_of(unbounded.immovable),
+            pairs_of(store.immovable + store.asleep) - pairs_of(unbounded.resting)};
+}
+
+} // namespace
+
+void Asking::write_ledger(const Plan& plan, const Asked& asked) const
+{
+    const Search& s = data_.search;
+    Ledger& l = data_.ledger;
+    const auto layer = [&](Layer by) -> std::uint64_t& { return l.removed[static_cast<unsigned>(by)]; };
+    const Census census = pairs_in(data_.store, data_.broad);
+    l.pairs = plan.alone ? data_.store.count() : census.all;
+    if (!plan.alone && !plan.without.has(Layer::immovable)) layer(Layer::immovable) = census.immovable;
+    if (!plan.alone && !plan.without.has(Layer::asleep))
+        layer(Layer::asleep) = census.resting - census.immovable;
+    layer(Layer::receding) = s.counts.receding;
+    layer(Layer::spheres) = s.counts.spheres;
+    layer(Layer::mask) = s.masked;
+    layer(Layer::filter) = s.filtered;
+    l.exact = asked.exact;
+    const std::uint64_t met = s.counts.met - s.skipped;
+    const std::uint64_t elsewhere = l.by(Layer::immovable) + l.by(Layer::asleep) + met;
+    layer(Layer::late) = s.counts.late + asked.late;
+    if (s.complete) layer(Layer::bounds) = l.pairs - elsewhere;
+    std::uint64_t known = asked.exact;
+    for (const std::uint64_t removed : l.removed)
+        known += removed;
+    l.left = l.pairs - known;
+    l.search_seconds = s.search_seconds;
+    l.exact_seconds = s.decide_seconds;
+}
+
+Impact ask(const BodyStore& store, std::uint32_t slot_a, std::uint32_t slot_b, const Options& options)
+{
+    if (store.ids[slot_b] < store.ids[slot_a]) std::swap(slot_a, slot_b);
+    const Body &a = store.bodies[slot_a], &b = store.bodies[slot_b];
+    return {store.ids[slot_a], store.ids[slot_b],
+            time_of_impact(a.shape, a.motion, b.shape, b.motion, options)};
+}
+
+} // namespace brink
