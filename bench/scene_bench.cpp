@@ -84,8 +84,9 @@ int run_scenes(const Output& output, const SceneBenchOptions& options)
 {
     const SceneResults results = measure(options);
     fmt::print("{}\n", what_is_measured(results.bandwidth));
-    for (const std::string& table : {scene_tables(results), thread_table(results), growth_table(results),
-                                     skipping_table(results), layer_table(results), ledger_tables(results)})
+    for (const std::string& table :
+         {scene_tables(results), summary_table(results), thread_table(results), growth_table(results),
+          skipping_table(results), layer_table(results), ledger_tables(results)})
         if (!table.empty()) fmt::print("{}\n", table);
     output.write("scenes.csv", scenes_csv(results));
     if (!results.layers.empty()) output.write("scene_layers.csv", layers_csv(results));

@@ -19,6 +19,7 @@ constexpr Sheet sheet{.height = 980, .svg = {16, 25, 18, 14}, .png = {12.5, 19, 
 constexpr std::string_view formulas = R"GP(
 array colour[5] = ['#0072B2', '#56B4E9', '#D55E00', '#009E73', '#777777']
 array named[5] = ['brink', 'brink, two threads', 'FCL', 'Bullet', 'memory bandwidth floor']
+array dashes[5] = [1, 1, 1, 1, 3]
 pick(k, curve, order) = column(1) == k && column(2) == curve && column(3) == order ? column(5) : NaN
 columns = |title| < 3 ? |title| : 3
 rows = ceil(|title| / (1.0 * columns))
@@ -60,7 +61,7 @@ constexpr std::string_view drawing = R"GP(
         } else {
             set ytics ('' 1e-3, '' 1e-2, '' 1e-1, '' 1, '' 10, '' 100, '' 1e3, '' 1e4, '' 1e5)
         }
-        plot for [c in lines] $points using 4:(pick(k, c + 0, 0)) with linespoints linewidth 3 dashtype (c + 0 == 4 ? 3 : 1) \
+        plot for [c in lines] $points using 4:(pick(k, c + 0, 0)) with linespoints linewidth 3 dashtype dashes[c + 1] \
                  pointtype (c + 0 == 4 ? 0 : 7) pointsize 0.9 linecolor rgb colour[c + 1], \
              for [c in rings] $points using 4:(pick(k, c + 0, 1)) with points pointtype 6 pointsize 1.3 \
                  linewidth 2 linecolor rgb colour[c + 1]

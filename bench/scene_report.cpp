@@ -1,52 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_report.h"
 
-#include "output.h"
+#include "scene_cells.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <fmt/format.h>
 #include <sstream>
 
 namespace brink::bench {
 namespace {
-
-constexpr std::array<std::string_view, 5> everyone{"brink", "FCL", "Bullet", "FCL two trees",
-                                                   "Bullet two trees"};
-
-std::string count(std::size_t n) { return thousands(static_cast<std::int64_t>(n)); }
-
-/// Three digits that count; "-" where nothing was measured.
-std::string ms(double value)
-{
-    if (value <= 0) return "-";
-    const int decimals = value < 0.095 ? 4 : value < 0.95 ? 3 : value < 9.5 ? 2 : value < 95 ? 1 : 0;
-    return fmt::format("{:.{}f}", value, decimals);
-}
-
-std::string times(double theirs, double ours)
-{
-    if (theirs <= 0 || ours <= 0) return "-";
-    return fmt::format("{:.{}f} x", theirs / ours, theirs / ours < 9.95 ? 1 : 0);
-}
-
-double step_of(const SceneFigures* f) { return f != nullptr ? f->step_ms : 0; }
-
-/// What names a table.
-struct Heading {
-    std::string scene, order;
-    friend bool operator==(const Heading&, const Heading&) = default;
-};
-
-std::vector<Heading> headings(const SceneResults& results)
-{
-    std::vector<Heading> all;
-    for (const SceneFigures& f : results.figures)
-        if (const Heading h{f.scene, f.order}; std::find(all.begin(), all.end(), h) == all.end())
-            all.push_back(h);
-    return all;
-}
 
 std::string rival_cells(const SceneFigures* f, double ours)
 {
@@ -74,26 +36,27 @@ std::string scene_row(const SceneResults& results, const SceneFigures& f)
     return row + "\n";
 }
 
-/// Slope of the line of least squares through log(ms) over log(n), n >= 1e4. 0 where there is none.
-double growth(const SceneResults& results, const Heading& heading, std::string_view who)
+enum class Columns : unsigned char { one_tree, two_trees };
+
+std::string heading_of(Columns columns)
 {
-    double count = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const SceneFigures& f : results.figures) {
-        if (f.scene != heading.scene || f.order != heading.order || f.who != who) continue;
-        if (f.threads != 1 || f.n < 10'000 || f.step_ms <= 0) continue;
-        const double u = std::log(static_cast<double>(f.n)), v = std::log(f.step_ms);
-        count += 1;
-        x += u;
-        y += v;
-        xx += u * u;
-        xy += u * v;
-    }
-    const double divisor = count * xx - x * x;
-    return count > 1 && divisor > 0 ? (count * xy - x * y) / divisor : 0;
+    const bool two = columns == Columns::two_trees;
+    std::string text = fmt::format("{:>9} {:>6} {:^71} | {:^36} | {:^36}{}\n", "", "pairs/", "brink", "FCL",
+                                   "Bullet", two ? " | two trees" : "");
+    text += fmt::format("{:>9} {:>6} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>4} {:>7}", "bodies", "body",
+                        "build", "motions", "update", "pairs", "step", "impacts", "first", "B", "/floor");
+    for (int rival = 0; rival < 2; ++rival)
+        text += fmt::format(" | {:>7} {:>7} {:>7} {:>4} {:>7}", "build", "update", "pairs", "B", "/brink");
+    if (two) text += fmt::format(" | {:>7} {:>7} {:>7} {:>7}", "FCL", "/brink", "Bullet", "/brink");
+    return text + "\n";
 }
 
-/// A whole step of a simulator.
-double simulated(const SceneFigures& f) { return f.motions_ms + f.update_ms + f.impacts_ms; }
+bool has_two_trees(const SceneResults& results, const Heading& h)
+{
+    return std::any_of(results.figures.begin(), results.figures.end(), [&](const SceneFigures& f) {
+        return Heading{f.scene, f.order} == h && f.who == "FCL two trees";
+    });
+}
 
 } // namespace
 
@@ -101,16 +64,8 @@ std::string scene_tables(const SceneResults& results)
 {
     std::string text;
     for (const Heading& h : headings(results)) {
-        text += fmt::format("{}, bodies in {} order, one thread\n", h.scene, h.order);
-        text += fmt::format("{:>9} {:>6} {:^71} | {:^36} | {:^36} | {}\n", "", "pairs/", "brink", "FCL",
-                            "Bullet", "two trees");
-        text +=
-            fmt::format("{:>9} {:>6} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>4} {:>7}", "bodies", "body",
-                        "build", "motions", "update", "pairs", "step", "impacts", "first", "B", "/floor");
-        for (int rival = 0; rival < 2; ++rival)
-            text +=
-                fmt::format(" | {:>7} {:>7} {:>7} {:>4} {:>7}", "build", "update", "pairs", "B", "/brink");
-        text += fmt::format(" | {:>7} {:>7} {:>7} {:>7}\n", "FCL", "/brink", "Bullet", "/brink");
+        text += fmt::format("{}, bodies in {} order, one thread\n", h.scene, h.order) +
+                heading_of(has_two_trees(results, h) ? Columns::two_trees : Columns::one_tree);
         for (const SceneFigures& f : results.figures)
             if (f.who == "brink" && f.threads == 1 && Heading{f.scene, f.order} == h)
                 text += scene_row(results, f);
@@ -138,44 +93,6 @@ std::string thread_table(const SceneResults& results)
                        "{:>7} | {:>14} | {:>14} | {:>14} | {:>14} | {:>14}\n",
                        "scene", "order", "bodies", "threads", "update", "pairs", "step", "impacts", "first") +
            rows;
-}
-
-std::string growth_table(const SceneResults& results)
-{
-    std::string rows;
-    for (const Heading& h : headings(results)) {
-        if (growth(results, h, "brink") == 0) continue;
-        rows += fmt::format("{:<10} {:<8}", h.scene, h.order);
-        for (const std::string_view who : everyone) {
-            const double slope = growth(results, h, who);
-            rows += slope == 0 ? fmt::format(" {:>16}", "-") : fmt::format(" {:>16.2f}", slope);
-        }
-        rows += "\n";
-    }
-    if (rows.empty()) return "";
-    std::string text = "Growth of a step with n, from 10,000 on: the exponent\n" + fmt::format("{:<19}", "");
-    for (const std::string_view who : everyone)
-        text += fmt::format(" {:>16}", who);
-    return text + "\n" + rows;
-}
-
-std::string skipping_table(const SceneResults& results)
-{
-    std::string rows;
-    for (const SceneFigures& f : results.figures) {
-        if (f.who != "brink") continue;
-        const std::string where =
-            fmt::format("{:>9} bodies, {} order, threads: {}", count(f.n), f.order, f.threads);
-        if (f.scene == "bullets")
-            rows += fmt::format("{}: first impact of bullets {} ms, all {} ms: {}\n", where, ms(f.first_ms),
-                                ms(f.impacts_ms), times(f.impacts_ms, f.first_ms));
-        const SceneFigures* gas = find(results.figures, "gas", f.order, "brink", f.threads, f.n);
-        if (f.scene == "asleep" && gas != nullptr)
-            rows += fmt::format(
-                "{}: motions, update and impacts {} ms where 99 % sleep, {} ms where none does: {}\n", where,
-                ms(simulated(f)), ms(simulated(*gas)), times(simulated(*gas), simulated(f)));
-    }
-    return rows.empty() ? "" : "What need not be looked at\n" + rows;
 }
 
 std::string layer_table(const SceneResults& results)

@@ -11,6 +11,8 @@ namespace brink::bench {
 std::string scene_tables(const SceneResults&);
 /// With more threads, and how many times faster than with one.
 std::string thread_table(const SceneResults&);
+/// A step of brink and of the rivals, from 100,000 bodies on. Empty where there are none.
+std::string summary_table(const SceneResults&);
 /// How the time of a step grows with n from 1e4 on: the slope of the line of least squares through the
 /// logarithms. Empty where there are not two sizes of a library.
 std::string growth_table(const SceneResults&);

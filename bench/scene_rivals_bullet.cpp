@@ -4,20 +4,26 @@
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace brink::bench {
 namespace {
 
-/// Exact: the scene's boxes are floats, and so are Bullet's. Its own broad phase would add a margin for
-/// movers; here it has none, so that the pairs are the same.
+btScalar not_above(double x)
+{
+    const auto value = static_cast<btScalar>(x);
+    return value > x ? std::nextafter(value, -std::numeric_limits<btScalar>::infinity()) : value;
+}
+
+/// Exact: the boxes of a scene about the origin are floats, and so are Bullet's. Its own broad phase would
+/// give movers a margin; here they have none, so that the pairs are the same.
 btDbvtVolume volume(const Aabb& box)
 {
-    const auto vector = [](const Vec3& v) {
-        return btVector3(static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()),
-                         static_cast<btScalar>(v.z()));
-    };
-    return btDbvtVolume::FromMM(vector(box.min), vector(box.max));
+    const btVector3 min(not_above(box.min.x()), not_above(box.min.y()), not_above(box.min.z()));
+    const btVector3 max(-not_above(-box.max.x()), -not_above(-box.max.y()), -not_above(-box.max.z()));
+    return btDbvtVolume::FromMM(min, max);
 }
 
 struct Keep : btDbvt::ICollide {

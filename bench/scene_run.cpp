@@ -30,8 +30,8 @@ double per_body(std::size_t bytes, std::size_t n)
     return static_cast<double>(bytes) / static_cast<double>(n);
 }
 
-/// Boxes that reach to infinity end where all others do, because the rivals reckon with volumes and centres:
-/// who overlaps whom stays as it is.
+/// What has no bounds is tested as what it is: here a floor, by its box. It ends where all others do, because
+/// the rivals reckon with volumes and centres; who overlaps whom stays as it is.
 std::vector<Aabb> finite_boxes(Scene& scene)
 {
     constexpr double far = 1e30;
@@ -39,7 +39,9 @@ std::vector<Aabb> finite_boxes(Scene& scene)
     boxes.reserve(scene.size());
     Vec3 least(far, far, far), most = -least;
     for (std::size_t i = 0; i < scene.size(); ++i) {
-        const Aabb& box = boxes.emplace_back(scene.swept_bounds(static_cast<BodyId>(i)));
+        const auto id = static_cast<BodyId>(i);
+        Aabb& box = boxes.emplace_back(scene.swept_bounds(id));
+        if (box.min.minCoeff() < -far) box = swept_bounds(scene.body(id).shape, scene.body(id).motion);
         for (int axis = 0; axis < 3; ++axis) {
             if (box.min[axis] > -far) least[axis] = std::min(least[axis], box.min[axis]);
             if (box.max[axis] < far) most[axis] = std::max(most[axis], box.max[axis]);
