@@ -39,7 +39,7 @@ constexpr std::string_view drawing = R"GP(
     set label 2 subline at screen 0.5, 0.928 center textcolor rgb '#444444' font middle_size
     set label 3 'bodies (logarithmic)' at screen 0.53, 0.03 center
     do for [c in lines] {
-        x = 0.09 + 0.185 * c
+        x = 0.085 + 0.175 * c
         if (c + 0 == 4) {
             set arrow 1 from screen x, 0.885 to screen x + 0.02, 0.885 nohead linewidth 2 dashtype 3 linecolor rgb colour[5]
         }
@@ -57,9 +57,9 @@ constexpr std::string_view drawing = R"GP(
         set label 5 title[k] at graph 0.03, 1.05 left font middle_size
         set xtics ('10^3' 1e3, '10^4' 1e4, '10^5' 1e5, '10^6' 1e6) font small
         if (i == 0) {
-            set ytics ('1 µs' 1e-3, '10 µs' 1e-2, '0.1 ms' 1e-1, '1 ms' 1, '10 ms' 10, '0.1 s' 100, '1 s' 1e3, '10 s' 1e4, '100 s' 1e5) font small
+            set ytics ('0.1 µs' 1e-4, '1 µs' 1e-3, '10 µs' 1e-2, '0.1 ms' 1e-1, '1 ms' 1, '10 ms' 10, '0.1 s' 100, '1 s' 1e3, '10 s' 1e4, '100 s' 1e5) font small
         } else {
-            set ytics ('' 1e-3, '' 1e-2, '' 1e-1, '' 1, '' 10, '' 100, '' 1e3, '' 1e4, '' 1e5)
+            set ytics ('' 1e-4, '' 1e-3, '' 1e-2, '' 1e-1, '' 1, '' 10, '' 100, '' 1e3, '' 1e4, '' 1e5)
         }
         plot for [c in lines] $points using 4:(pick(k, c + 0, 0)) with linespoints linewidth 3 dashtype dashes[c + 1] \
                  pointtype (c + 0 == 4 ? 0 : 7) pointsize 0.9 linecolor rgb colour[c + 1], \
@@ -109,7 +109,8 @@ std::string scenes_plot(const SceneResults& results)
     }
     std::string text = "# Draws the time of a step over the number of bodies: gnuplot scenes.gp\n";
     text += "headline = 'Everything moves: new bounds and all pairs whose swept boxes overlap'\n";
-    text += "subline = 'ms of a step (logarithmic), one thread; bodies stored in spatial order (lines) or at "
+    text += "subline = 'ms of a step (logarithmic), one thread where no more are named; bodies stored in "
+            "spatial order (lines) or at "
             "random (rings)'\n";
     text += fmt::format("lines = '{}'\nrings = '{}'\n", fmt::join(curves[0], " "), fmt::join(curves[1], " "));
     text += fmt::format("least = {:.3g}\nmost = {:.3g}\nfewest = {}\nutmost = {}\n", 0.5 * least, 2 * most,
