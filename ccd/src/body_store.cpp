@@ -8,6 +8,16 @@
 
 namespace brink {
 
+namespace {
+
+/// For one more.
+template <class T> void make_room(std::vector<T>& v)
+{
+    if (v.size() == v.capacity()) v.reserve(2 * v.size() + 16);
+}
+
+} // namespace
+
 /// by: 1, or its negative to take back.
 void BodyStore::count(const Body& b, std::size_t by)
 {
@@ -31,16 +41,15 @@ std::uint32_t BodyStore::add(const Body& body)
 {
     if (slots.size() >= no_body)
         throw std::length_error("brink::Scene: as many bodies were added as there are ids");
+    make_room(slots); // first: where there is no memory left the scene stays as it was
     if (free_slots.empty()) {
-        // All the memory first: where there is none left the scene stays as it was.
-        slots.reserve(slots.size() + 1);
-        ids.reserve(ids.size() + 1);
-        free_slots.reserve(bodies.size() + 1);
+        make_room(bodies);
+        make_room(ids);
+        free_slots.reserve(bodies.capacity());
         bodies.push_back(body);
         ids.push_back(no_body);
         free_slots.push_back(static_cast<std::uint32_t>(bodies.size() - 1));
     } else {
-        slots.reserve(slots.size() + 1);
         bodies[free_slots.back()] = body;
     }
     const std::uint32_t slot = free_slots.back();

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::size_t width = lanes;
 
+/// Bodies are asked of memory this many before they are needed.
+constexpr std::size_t ahead = 8;
+
 /// Leaves that take up this much more than when they were sorted are sorted again.
 constexpr double come_apart = 1.5;
 
@@ -142,6 +145,7 @@ void BroadPhase::build(BlockTree& to, Home home, std::vector<std::uint32_t>& joi
         const std::size_t end = std::min(width * (leaf + 1), keys.size());
         for (std::size_t place = width * leaf; place < end; ++place) {
             const std::uint32_t slot = keys[place].slot;
+            if (place + ahead < keys.size()) store.fetch(keys[place + ahead].slot);
             to.set(place, slot, sweep(store.bodies[slot], origin));
             seats_[slot] = seat(place, home);
         }
@@ -158,6 +162,9 @@ void BroadPhase::refit(const BodyStore& store)
     for_each_part(movers.leaves(), [&](std::size_t leaf) {
         for (std::size_t place = width * leaf; place < width * (leaf + 1); ++place) {
             const std::uint32_t slot = movers.slots[place];
+            const std::uint32_t soon =
+                place + ahead < movers.slots.size() ? movers.slots[place + ahead] : no_slot;
+            if (soon != no_slot) store.fetch(soon);
             if (slot == no_slot || !seats_[slot].stale) continue;
             movers.set(place, slot, sweep(store.bodies[slot], origin));
             seats_[slot].stale = false;

@@ -50,7 +50,7 @@ JOIN_ATTR inline Mask paths_apart(const Balls& balls, float grown, const Box3f& 
 
 struct Meetings {
     Mask receding = 0, passing = 0, late = 0;
-    alignas(64) float t[lanes];
+    alignas(64) float t[lanes] = {};
 };
 
 /// When one ball meets sixteen: the least distance over the time asked for, and the root of the quadratic.
@@ -89,45 +89,58 @@ JOIN_ATTR inline void meet(const Balls& one, int lane, const Balls& balls, const
     }
 }
 
-JOIN_ATTR inline void emit(const Packet& p, const BlockTree& tree, std::uint32_t leaf, int lane, Mask with,
-                           const float* times, Candidates& to)
+/// Without a branch for how many there are.
+JOIN_ATTR inline void emit(std::uint32_t slot, const std::uint32_t* slots, Mask with, const float* times,
+                           Candidates& to)
 {
-    const std::uint32_t* slots = tree.slots.data() + std::size_t{lanes} * leaf;
-    Candidate* next = to.list.data() + to.count;
-    for (; with != 0; with &= with - 1) {
-        const int k = __builtin_ctz(with);
-        *next++ = {p.slots[lane], slots[k], times[k]};
+    for (int i = 0; i < lanes; i += width) {
+        const Mask some = with >> i & ((1U << width) - 1);
+        store_all(to.a.data() + to.count, slot);
+        store_some(to.b.data() + to.count, slots + i, some);
+        if (times) store_some(to.t.data() + to.count, times + i, some);
+        to.count += static_cast<std::size_t>(__builtin_popcount(some));
     }
-    to.count = static_cast<std::size_t>(next - to.list.data());
+}
+
+/// Boxes alone, and of bodies that all have some.
+JOIN_ATTR inline void leaf_pairs_by_boxes(const Packet& p, Mask from, const BlockTree& tree,
+                                          std::uint32_t leaf, std::uint32_t own, Candidates& to,
+                                          JoinCounts& counts)
+{
+    const Boxes& boxes = tree.levels[0][leaf];
+    const std::uint32_t* slots = tree.slots.data() + std::size_t{lanes} * leaf;
+    const std::size_t before = to.count;
+    for (; from != 0; from &= from - 1) {
+        const int lane = __builtin_ctz(from);
+        const Mask later = own == leaf ? all_lanes << (lane + 1) : all_lanes;
+        emit(p.slots[lane], slots, overlap(boxes, box_at(p.boxes, lane)) & later, nullptr, to);
+    }
+    counts.met += to.count - before;
 }
 
 JOIN_ATTR inline void leaf_pairs(const Packet& p, Mask from, const BlockTree& tree, std::uint32_t leaf,
-                                 bool own, const JoinRules& rules, Candidates& to, JoinCounts& counts)
+                                 std::uint32_t own, const JoinRules& rules, Candidates& to,
+                                 JoinCounts& counts)
 {
+    if (rules.boxes && !rules.balls) return leaf_pairs_by_boxes(p, from, tree, leaf, own, to, counts);
     const Boxes& boxes = tree.levels[0][leaf];
+    const std::uint32_t* slots = tree.slots.data() + std::size_t{lanes} * leaf;
     const auto ones = [](Mask m) { return static_cast<std::uint64_t>(__builtin_popcount(m)); };
-    Meetings m;
     for (; from != 0; from &= from - 1) {
         const int lane = __builtin_ctz(from);
         Mask with = rules.boxes ? overlap(boxes, box_at(p.boxes, lane)) : tree.held(leaf);
-        if (own) with &= all_lanes << (lane + 1);
+        if (own == leaf) with &= all_lanes << (lane + 1);
         if (with == 0) continue;
         counts.met += ones(with);
-        if (!rules.balls) {
-            for (float& t : m.t)
-                t = 0;
-            emit(p, tree, leaf, lane, with, m.t, to);
-            continue;
-        }
-        m.receding = m.passing = m.late = 0;
-        meet(p.balls, lane, tree.balls[leaf], rules, m);
+        Meetings m;
+        if (rules.balls) meet(p.balls, lane, tree.balls[leaf], rules, m);
         const Mask receding = rules.receding ? with & m.receding : 0;
         const Mask passing = rules.spheres ? with & ~receding & (m.passing | m.receding) : 0;
         const Mask late = rules.late ? with & ~receding & ~passing & m.late : 0;
         counts.receding += ones(receding);
         counts.spheres += ones(passing);
         counts.late += ones(late);
-        emit(p, tree, leaf, lane, with & ~(receding | passing | late), m.t, to);
+        emit(p.slots[lane], slots, with & ~(receding | passing | late), m.t, to);
     }
 }
 
@@ -160,7 +173,7 @@ JOIN_ATTR inline std::uint32_t join(const Packet& p, const BlockTree& tree, std:
     if (tree.height == 0 || first >= tree.leaves()) return no_leaf;
     if (tree.height == 1) {
         if (!to.has_room()) return 0;
-        leaf_pairs(p, p.held, tree, 0, own == 0, rules, to, counts);
+        leaf_pairs(p, p.held, tree, 0, own, rules, to, counts);
         return no_leaf;
     }
     int level = tree.height - 1;
@@ -183,7 +196,7 @@ JOIN_ATTR inline std::uint32_t join(const Packet& p, const BlockTree& tree, std:
             frames[level] = {child, children(level, child)};
         } else {
             if (!to.has_room()) return child;
-            leaf_pairs(p, from, tree, child, own == child, rules, to, counts);
+            leaf_pairs(p, from, tree, child, own, rules, to, counts);
         }
     }
     return no_leaf;

@@ -17,6 +17,8 @@ constexpr int width = 1;
 
 inline V load(const float* from) { return *from; }
 inline void store(float* to, V v) { *to = v; }
+inline void store_all(std::uint32_t* to, std::uint32_t x) { *to = x; }
+template <class T> inline void store_some(T* to, const T* from, Mask) { *to = *from; }
 inline V all_of(float x) { return x; }
 inline Mask bits_of(bool b) { return b ? 1 : 0; }
 inline bool And(bool a, bool b) { return a && b; }

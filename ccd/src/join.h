@@ -43,11 +43,21 @@ struct JoinCounts {
     std::uint64_t receding = 0, spheres = 0, late = 0;
 };
 
-/// Candidates in the order found. Never grows while it is filled.
+/// Candidates in the order found, side by side. Never grows while it is filled.
 struct Candidates {
-    std::vector<Candidate> list;
+    std::vector<std::uint32_t> a, b;
+    std::vector<float> t;
     std::size_t count = 0;
-    bool has_room() const { return count + std::size_t{lanes} * lanes <= list.size(); }
+
+    void make_room(std::size_t most)
+    {
+        a.resize(most), b.resize(most), t.resize(most);
+        count = 0;
+    }
+    /// For all pairs of two leaves, and for a store of sixteen at the end of them.
+    bool has_room() const { return count + std::size_t{lanes} * (lanes + 1) <= a.size(); }
+    Candidate operator[](std::size_t i) const { return {a[i], b[i], t[i]}; }
+    void set(std::size_t i, const Candidate& c) { a[i] = c.a, b[i] = c.b, t[i] = c.t; }
 };
 
 inline constexpr std::uint32_t no_leaf = 0xffffffff;

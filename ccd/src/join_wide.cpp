@@ -34,6 +34,23 @@ using hn::Sqrt;
 
 HWY_ATTR inline V load(const float* from) { return hn::Load(tag, from); }
 HWY_ATTR inline void store(float* to, V v) { hn::Store(v, tag, to); }
+constexpr hn::CappedTag<std::uint32_t, lanes> whole_tag;
+HWY_ATTR inline void store_all(std::uint32_t* to, std::uint32_t x)
+{
+    hn::StoreU(hn::Set(whole_tag, x), whole_tag, to);
+}
+/// Those of the lanes that are in the set, one after the other; what lies behind them is overwritten too. (A
+/// compress into memory takes Zen 4 ten times as long as one into a register.)
+HWY_ATTR inline void store_some(std::uint32_t* to, const std::uint32_t* from, Mask which)
+{
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(which), static_cast<std::uint8_t>(which >> 8U)};
+    hn::StoreU(hn::Compress(hn::LoadU(whole_tag, from), hn::LoadMaskBits(whole_tag, bytes)), whole_tag, to);
+}
+HWY_ATTR inline void store_some(float* to, const float* from, Mask which)
+{
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(which), static_cast<std::uint8_t>(which >> 8U)};
+    hn::StoreU(hn::Compress(hn::LoadU(tag, from), hn::LoadMaskBits(tag, bytes)), tag, to);
+}
 HWY_ATTR inline V all_of(float x) { return hn::Set(tag, x); }
 HWY_ATTR inline Mask bits_of(hn::Mask<D> m)
 {

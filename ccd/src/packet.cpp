@@ -124,10 +124,10 @@ void drop_what_need_not_be_asked(Chunk& chunk, const BodyStore& store, const Pla
     Candidates& all = chunk.candidates;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.count; ++i) {
-        const Candidate c = all.list[i];
+        const Candidate c = all[i];
         const Settled by = settled(c, store, plan);
         if (!at_work(by, c, store, plan)) {
-            all.list[kept++] = c;
+            all.set(kept++, c);
             continue;
         }
         chunk.skipped += by == Settled::at_rest ? 1 : 0;

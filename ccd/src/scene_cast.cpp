@@ -101,11 +101,8 @@ double cast_into(SceneData& data, const Cast& cast)
         data.search.run(
             data.store, data.broad, plan, [](Chunk&) {},
             [&](Chunk& chunk) {
-                auto* list = chunk.candidates.list.data();
-                std::sort(list, list + chunk.candidates.count,
-                          [](const Candidate& x, const Candidate& y) { return x.t < y.t; });
-                for (std::size_t i = 0; i < chunk.candidates.count; ++i)
-                    met.look(list[i].b, static_cast<double>(list[i].t));
+                for (const Candidate& c : by_time(chunk, chunk.candidates.count))
+                    met.look(c.b, static_cast<double>(c.t));
                 if (plan.rules.late) plan.rules.until = round_up(met.until());
                 return true;
             });

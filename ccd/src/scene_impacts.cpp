@@ -22,7 +22,7 @@ double least_of_others(const Chunk& chunk, const SceneOptions& options)
 {
     double least = infinity;
     for (std::size_t i = allowed(chunk, options); i < chunk.candidates.count; ++i)
-        least = std::min(least, static_cast<double>(chunk.candidates.list[i].t));
+        least = std::min(least, static_cast<double>(chunk.candidates.t[i]));
     return least;
 }
 
@@ -32,7 +32,7 @@ void ask_all(Chunk& chunk, const SceneData& data, const SceneOptions& options, c
     chunk.impacts.clear();
     const std::size_t end = allowed(chunk, options);
     for (std::size_t i = 0; i < end; ++i) {
-        const Candidate& c = chunk.candidates.list[i];
+        const Candidate c = chunk.candidates[i];
         const Impact impact = ask(data.store, c.a, c.b, options.pair);
         if (in_contact(impact.toi) && (plan.without.bits == 0 || meets(c, data.store, plan)))
             chunk.impacts.push_back(impact);
@@ -77,15 +77,10 @@ public:
     /// Asks those of a chunk's candidates that matter, the earliest first, and keeps the first.
     void decide(Chunk& chunk, const Options& time_only, const Plan& plan) const
     {
-        const std::size_t end = allowed(chunk, options_);
-        auto* list = chunk.candidates.list.data();
-        if (plan.rules.late)
-            std::sort(list, list + end, [](const Candidate& x, const Candidate& y) { return x.t < y.t; });
         Impact best = best_;
         chunk.impacts.clear();
         chunk.asked = 0;
-        for (std::size_t i = 0; i < end; ++i) {
-            const Candidate& c = list[i];
+        for (const Candidate& c : by_time(chunk, allowed(chunk, options_))) {
             if (plan.rules.late && !matters(c, best)) continue;
             const Impact impact = ask(data_.store, c.a, c.b, time_only);
             ++chunk.asked;

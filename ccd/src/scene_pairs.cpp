@@ -37,17 +37,17 @@ std::span<const BodyPair> Scene::overlapping(const SceneOptions& options)
             chunk.asked = all.count;
             std::size_t kept = 0;
             for (std::size_t i = 0; i < all.count; ++i) {
-                const Candidate c = all.list[i];
+                const Candidate c = all[i];
                 const Body &a = data.store.bodies[c.a], &b = data.store.bodies[c.b];
                 if (!overlaps(a.shape, a.motion.start, b.shape, b.motion.start)) continue;
-                if (plan.without.bits == 0 || meets(c, data.store, plan)) all.list[kept++] = c;
+                if (plan.without.bits == 0 || meets(c, data.store, plan)) all.set(kept++, c);
             }
             all.count = kept;
         },
         [&](const Chunk& chunk) {
             exact += chunk.asked;
             for (std::size_t i = 0; i < chunk.candidates.count; ++i)
-                data.pairs.push_back(pair_of(data.store, chunk.candidates.list[i]));
+                data.pairs.push_back(pair_of(data.store, chunk.candidates[i]));
             return true;
         });
     asking.write_ledger(plan, {exact, 0});
@@ -72,7 +72,7 @@ std::span<const BodyPair> Scene::candidates()
         },
         [&](const Chunk& chunk) {
             for (std::size_t i = 0; i < chunk.candidates.count; ++i)
-                data.pairs[chunk.before + i] = pair_of(data.store, chunk.candidates.list[i]);
+                data.pairs[chunk.before + i] = pair_of(data.store, chunk.candidates[i]);
         },
         [&](const Chunk& chunk) {
             count += chunk.candidates.count;

@@ -83,11 +83,8 @@ void cast_ray(SceneData& data, const Ray& ray, const bool first)
     data.search.run(
         data.store, data.broad, plan, [](Chunk&) {},
         [&](Chunk& chunk) {
-            auto* list = chunk.candidates.list.data();
-            std::sort(list, list + chunk.candidates.count,
-                      [](const Candidate& x, const Candidate& y) { return x.t < y.t; });
-            for (std::size_t i = 0; i < chunk.candidates.count; ++i)
-                look(list[i]);
+            for (const Candidate& c : by_time(chunk, chunk.candidates.count))
+                look(c);
             return true;
         });
     for (const std::uint32_t slot : data.broad.unbounded) {

@@ -86,7 +86,7 @@ void Halts::find_first()
             chunk.impacts.clear();
             chunk.asked = 0;
             for (std::size_t i = 0; i < chunk.candidates.count; ++i) {
-                const Candidate& c = chunk.candidates.list[i];
+                const Candidate c = chunk.candidates[i];
                 const bool open = chunk.before + i >= options_.max_tests;
                 Impact impact{data_.store.ids[c.a], data_.store.ids[c.b], {}};
                 if (open) {
@@ -152,8 +152,7 @@ void Halts::look_again(std::uint32_t halted)
         data_.store, data_.broad, plan, [](Chunk&) {},
         [&](const Chunk& chunk) {
             for (std::size_t i = 0; i < chunk.candidates.count; ++i)
-                if (moves(chunk.candidates.list[i].b))
-                    ask_again(halted, chunk.candidates.list[i].b, standing);
+                if (moves(chunk.candidates.b[i])) ask_again(halted, chunk.candidates.b[i], standing);
             return true;
         });
 }

@@ -34,6 +34,17 @@ Group after(Group g) { return static_cast<Group>(static_cast<int>(g) + 1); }
 
 } // namespace
 
+std::span<const Candidate> by_time(Chunk& chunk, std::size_t count)
+{
+    chunk.by_time.clear();
+    for (std::size_t i = 0; i < count; ++i)
+        chunk.by_time.push_back(chunk.candidates[i]);
+    std::sort(chunk.by_time.begin(), chunk.by_time.end(), [](const Candidate& x, const Candidate& y) {
+        return x.t != y.t ? x.t < y.t : x.a != y.a ? x.a < y.a : x.b < y.b;
+    });
+    return chunk.by_time;
+}
+
 void Search::forget()
 {
     counts = {};
@@ -101,8 +112,7 @@ bool Search::next_round(const Plan& plan)
 void Search::find(Chunk& chunk, const BodyStore& store, const BroadPhase& broad, const Plan& plan) const
 {
     Candidates& to = chunk.candidates;
-    to.list.resize(most_candidates);
-    to.count = 0;
+    to.make_room(most_candidates);
     chunk.counts = {};
     chunk.skipped = chunk.masked = chunk.filtered = 0;
     const Join join = plan.wide ? widest_join() : plain_join();
@@ -153,7 +163,7 @@ std::size_t Search::bytes() const
 {
     std::size_t sum = chunks_.capacity() * sizeof(Chunk) + pending_.capacity() * sizeof(Item);
     for (const Chunk& c : chunks_)
-        sum += c.candidates.list.capacity() * sizeof(Candidate) + c.impacts.capacity() * sizeof(Impact);
+        sum += c.candidates.a.capacity() * sizeof(Candidate) + c.impacts.capacity() * sizeof(Impact);
     return sum;
 }
 

@@ -30,9 +30,13 @@ struct Chunk {
     JoinCounts counts;
     std::uint64_t skipped = 0, masked = 0, filtered = 0; // candidates that need not be asked
     std::size_t before = 0;                              // candidates of the search in earlier chunks
+    std::vector<Candidate> by_time;                      // them, where the earliest is to be asked first
     std::vector<Impact> impacts;                         // what was decided of them
     std::uint64_t asked = 0;                             // how many were asked exactly
 };
+
+/// A chunk's first candidates in the order of their times.
+std::span<const Candidate> by_time(Chunk&, std::size_t count);
 
 /// What a search asks, and of which pairs.
 struct Plan {

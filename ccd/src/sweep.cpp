@@ -20,44 +20,56 @@ struct Span3 {
     V3 min, max;
 };
 
-struct ToCore {
-    Core operator()(const Plane&) const { return {}; }
-    Core operator()(const HalfSpace&) const { return {}; }
-    template <class Bounded> Core operator()(const Bounded& shape) const { return core(shape); }
+/// How far a shape extends from its own origin along the world's axes, and from its pivot in all directions.
+struct Size {
+    Span3 extent;
+    double reach = 0;
 };
 
-Core core_of(const Shape& shape)
+V3 absolute(V3 v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
+V3 least(V3 a, V3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+V3 most(V3 a, V3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+Span3 grown(V3 min, V3 max, double r)
 {
-    if (const auto* s = std::get_if<Sphere>(&shape)) return core(*s);
-    if (const auto* s = std::get_if<Box>(&shape)) return core(*s);
-    return std::visit(ToCore{}, shape);
+    return {{min.x - r, min.y - r, min.z - r}, {max.x + r, max.y + r, max.z + r}};
 }
 
-/// The extent of a core turned about the body's origin, its radius included.
-Span3 extent_of(const Core& local, const Quat& orientation)
+Size size_of(const Sphere& s, const Rotation&, V3 pivot)
 {
-    Span3 s{};
-    if (local.kind != Core::Kind::point || !(local.points[0] == V3{})) {
-        const Core turned = placed(local, rotation(orientation), {});
-        const Interval x = interval(turned, {1, 0, 0}), y = interval(turned, {0, 1, 0}),
-                       z = interval(turned, {0, 0, 1});
-        s = {{x.low, y.low, z.low}, {x.high, y.high, z.high}};
-    }
-    const V3 round{local.radius, local.radius, local.radius};
-    return {s.min - round, s.max + round};
+    return {grown({}, {}, s.radius), norm(pivot) + s.radius};
+}
+Size size_of(const Box& s, const Rotation& r, V3 pivot)
+{
+    const V3 h = load(s.half_extents), most = h.x * absolute(r.x) + h.y * absolute(r.y) + h.z * absolute(r.z);
+    return {{-most, most}, norm(h + absolute(pivot))};
+}
+Size size_of(const Capsule& s, const Rotation& r, V3 pivot)
+{
+    const V3 a = load(s.a), b = load(s.b), at_a = r * a, at_b = r * b;
+    const double reach = std::sqrt(std::max(norm_squared(a - pivot), norm_squared(b - pivot)));
+    return {grown(least(at_a, at_b), most(at_a, at_b), s.radius), reach + s.radius};
+}
+Size size_of(const Plane&, const Rotation&, V3) { return {}; }
+Size size_of(const HalfSpace&, const Rotation&, V3) { return {}; }
+template <class Other> Size size_of(const Other& s, const Rotation& r, V3 pivot)
+{
+    const Core local = core(s), turned = placed(local, r, {});
+    const Interval x = interval(turned, {1, 0, 0}), y = interval(turned, {0, 1, 0}),
+                   z = interval(turned, {0, 0, 1});
+    const double reach = brink::reach(pivot == V3{} ? local : placed(local, {}, -pivot));
+    return {grown({x.low, y.low, z.low}, {x.high, y.high, z.high}, local.radius), reach + local.radius};
+}
+
+/// Of a sphere on its pivot the rotation need not be known, nor valid.
+bool turns_in_place(const Shape& shape, V3 pivot)
+{
+    return std::holds_alternative<Sphere>(shape) && pivot == V3{};
 }
 
 V3 arm_of(const Motion& m)
 {
     const V3 pivot = load(m.pivot);
     return pivot == V3{} ? V3{} : rotation(m.start.orientation) * pivot;
-}
-
-/// The radius of the ball about the pivot that holds the body.
-double reach_about(const Core& local, V3 pivot)
-{
-    if (local.kind == Core::Kind::point) return norm(local.points[0] - pivot) + local.radius;
-    return (pivot == V3{} ? reach(local) : reach(placed(local, {}, -pivot))) + local.radius;
 }
 
 /// A coordinate in float and by how much it is off.
@@ -102,10 +114,12 @@ float round_up(double x)
 Sweep sweep(const Body& body, V3 origin)
 {
     const Motion& m = body.motion;
-    const Core local = core_of(body.shape);
-    const V3 by = load(m.translation), turn = load(m.rotation), arm = arm_of(m);
+    const V3 by = load(m.translation), turn = load(m.rotation), centre = load(m.pivot);
+    const Rotation r = turns_in_place(body.shape, centre) ? Rotation{} : rotation(m.start.orientation);
+    const auto [extent, reach] = std::visit([&](const auto& s) { return size_of(s, r, centre); }, body.shape);
+    const V3 arm = centre == V3{} ? V3{} : r * centre;
     const V3 at = load(m.start.position) - origin, pivot = at + arm;
-    const double angle = turn == V3{} ? 0 : norm(turn), reach = reach_about(local, load(m.pivot));
+    const double angle = turn == V3{} ? 0 : norm(turn);
     const double room = tolerance::sweep_slack * (sum_of_magnitudes(at) + sum_of_magnitudes(by) +
                                                   (1 + angle) * (reach + 2 * sum_of_magnitudes(arm)));
     const double ball = reach + room;
@@ -119,7 +133,6 @@ Sweep sweep(const Body& body, V3 origin)
     // A point of the body leaves the pivot's straight path, taken along from the start, by the chord of the
     // turn.
     const double stray = std::min(angle, 2.0) * reach + room;
-    const Span3 extent = extent_of(local, m.start.orientation);
     const auto span = [&](double p, double c, double low, double high, double d) {
         const double min = std::max(p + low - stray, c - ball), max = std::min(p + high + stray, c + ball);
         return Interval{min + std::min(d, 0.0), max + std::max(d, 0.0)};
@@ -131,7 +144,10 @@ Sweep sweep(const Body& body, V3 origin)
     return s;
 }
 
-double farthest_from_origin(const Shape& shape) { return reach_about(core_of(shape), {}); }
+double farthest_from_origin(const Shape& shape)
+{
+    return std::visit([](const auto& s) { return size_of(s, {}, {}).reach; }, shape);
+}
 
 V3 midway(const Body& body)
 {

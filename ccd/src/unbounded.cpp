@@ -63,7 +63,7 @@ std::uint32_t unbounded_candidates(const Packet& p, const Item& item, const Body
             const int lane = __builtin_ctz(left);
             if (border && passes(p.balls, lane, *border, plan.rules)) continue;
             ++counts.met;
-            to.list[to.count++] = {p.slots[lane], slot, 0};
+            to.set(to.count++, {p.slots[lane], slot, 0});
         }
     }
     return no_leaf;
