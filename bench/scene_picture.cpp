@@ -58,7 +58,7 @@ constexpr std::string_view drawing = R"GP(
         set rmargin at screen 0.085 + 0.91 * (at + 1) / columns - 0.02
         set tmargin at screen 0.830 - high * j
         set bmargin at screen 0.830 - high * (j + 1) + 0.065
-        set label 5 title[k] at graph 0.03, 1.05 left font middle_size
+        set label 5 title[k] at graph 0.03, 1 left offset 0, 0.7 font middle_size
         set xtics ('10^3' 1e3, '10^4' 1e4, '10^5' 1e5, '10^6' 1e6) font small
         if (at == 0) {
             set ytics ('0.1 µs' 1e-4, '1 µs' 1e-3, '10 µs' 1e-2, '0.1 ms' 1e-1, '1 ms' 1, '10 ms' 10, '0.1 s' 100, '1 s' 1e3, '10 s' 1e4, '100 s' 1e5) font small
