@@ -69,6 +69,12 @@ struct RayImpact {
     RayHit hit{};
 };
 
+/// What a broad phase goes by.
+enum class Bounds : unsigned char {
+    boxes, // swept_bounds over the whole step
+    balls, // and the balls around the bodies as they travel: what impacts() asks exactly
+};
+
 struct SceneData;
 
 /// Many moving bodies, asked as one.
@@ -144,9 +150,9 @@ public:
 
     /// The pairs that overlap at t = 0, ordered; touching is overlapping.
     std::span<const BodyPair> overlapping(const SceneOptions& = {});
-    /// The pairs whose swept_bounds overlap, in no particular order (but always the same): what a broad phase
-    /// alone hands on.
-    std::span<const BodyPair> candidates();
+    /// What a broad phase alone hands on, in no particular order (but always the same): the pairs whose bounds
+    /// meet. Planes and half-spaces are told apart from others by the balls.
+    std::span<const BodyPair> candidates(Bounds = Bounds::boxes);
 
     /// The first body at t = 0 that the ray meets (of equals the lowest id), t in lengths of `direction`;
     /// hit.status is separated where there is none.
