@@ -137,9 +137,9 @@ Packet packet_of(const Sweep& sweep, const Plan& plan)
     return p;
 }
 
-void drop_what_need_not_be_asked(Chunk& chunk, const BodyStore& store, const Plan& plan, bool picky)
+void drop_what_need_not_be_asked(Chunk& chunk, const BodyStore& store, const Plan& plan)
 {
-    if (!picky && !plan.filter && !plan.rest_pairs && plan.mask == 0xffffffff) return;
+    if (store.picky == 0 && !plan.filter && !plan.rest_pairs && plan.mask == 0xffffffff) return;
     Candidates& all = chunk.candidates;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.count; ++i) {
