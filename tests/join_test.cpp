@@ -146,6 +146,28 @@ TEST_CASE("join: what balls drop is proven apart, and no time is late, at every 
     CHECK(dropped > 30'000);
 }
 
+TEST_CASE("join: what recedes is not nearing")
+{
+    const SweepField field = support::draw_field(299, 1, 21);
+    const std::set<SlotPair> found =
+        pairs_in(support::join_all(widest_join(), field, field, plan_of(7, 0, 1), plenty), true);
+    int receding = 0, nearing = 0;
+    for (std::uint32_t i = 0; i < 299; ++i) {
+        for (std::uint32_t k = i + 1; k < 299; ++k) {
+            const Sweep &a = field.sweeps[i], &b = field.sweeps[k];
+            const bool dropped = field.living[i] != 0 && field.living[k] != 0 && overlap(a.box, b.box) &&
+                                 !found.contains({i, k});
+            Real rate = 0;
+            for (int axis = 0; axis < 3; ++axis)
+                rate += (Real{b.from[axis]} - a.from[axis]) * (Real{b.by[axis]} - a.by[axis]);
+            receding += dropped;
+            nearing += dropped && rate < -0.05L; // of up to 1e4
+        }
+    }
+    CHECK(receding > 50);
+    CHECK(nearing == 0);
+}
+
 TEST_CASE("join: a buffer without room is gone on with where it was left")
 {
     for (const std::size_t n : {100, 300, 1500}) {
