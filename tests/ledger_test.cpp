@@ -54,7 +54,7 @@ TEST_CASE("Ledger: of nothing no share is taken")
 
 TEST_CASE("Layers: a set")
 {
-    const Layers some = Layer::mask | Layers(Layer::simd);
+    const Layers some = Layer::mask | Layer::simd;
     CHECK(some.has(Layer::mask));
     CHECK(some.has(Layer::simd));
     CHECK(!some.has(Layer::immovable));
