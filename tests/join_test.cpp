@@ -146,6 +146,37 @@ TEST_CASE("join: what balls drop is proven apart, and no time is late, at every 
     CHECK(dropped > 30'000);
 }
 
+TEST_CASE("join: small balls from far away are not told to meet too late")
+{
+    std::size_t meeting = 0;
+    Faults all;
+    for (std::uint64_t i = 0; i < 600; ++i) {
+        Random random(14, i);
+        SweepField one, many;
+        const double r = random.log_between(1e-4, 1), other = r * random.between(0, 1);
+        const Vec3 at = random.in_cube(r), by = random.in_cube(r);
+        one.sweeps.push_back(support::sweep_of_ball({at.x(), at.y(), at.z()}, {by.x(), by.y(), by.z()}, r));
+        for (int k = 0; k < 15; ++k) {
+            const double far = r * random.log_between(4, 1e6), over = random.between(1, 3);
+            const Vec3 from = at + far * random.unit(), aside = random.in_cube(r);
+            const Vec3 to = over * (at + aside - from) + by;
+            many.sweeps.push_back(
+                support::sweep_of_ball({from.x(), from.y(), from.z()}, {to.x(), to.y(), to.z()}, other));
+        }
+        one.plant(0, 1);
+        many.plant(0, 1);
+        const Plan plan = plan_of(31, 0, 1);
+        const Faults f =
+            faults_of(support::join_all(widest_join(), one, many, plan, plenty), one, many, plan);
+        all.lost += f.lost;
+        all.late += f.late;
+        meeting += f.meeting;
+    }
+    CHECK(all.lost == 0);
+    CHECK(all.late == 0);
+    CHECK(meeting > 5'000);
+}
+
 TEST_CASE("join: what recedes is not nearing")
 {
     const SweepField field = support::draw_field(299, 1, 21);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #if BRINK_HAVE_TBB
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -48,6 +49,7 @@ TEST_CASE("for_each_part: each index once, whatever the grain")
 #if BRINK_HAVE_TBB
 TEST_CASE("for_each_part: in the caller's arena, of one thread and of four")
 {
+    const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
     for (const int threads : {1, 4}) {
         tbb::task_arena arena(threads);
         CAPTURE(threads);
