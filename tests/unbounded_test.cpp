@@ -172,6 +172,31 @@ TEST_CASE("unbounded_candidates: a plane or half-space is dropped where it is pr
     CHECK(kept > 50'000);
 }
 
+TEST_CASE("unbounded_candidates: a half-space whose offset is far from it is known to its rounding only")
+{
+    Random random(12);
+    int touching = 0, dropped = 0, wrong = 0;
+    for (int i = 0; i < 4'000; ++i) {
+        const Vec3 n = random.unit(), at = random.in_cube(1);
+        const double offset = random.between(-1e8, 1e8), radius = random.log_between(1e-11, 1e-8);
+        World w;
+        w.store.add({HalfSpace{n, offset}, support::resting(at - offset * n)});
+        w.store.add({Sphere{radius}, support::resting(at)});
+        w.broad.add(0, w.store);
+        w.broad.add(1, w.store);
+        w.broad.update(w.store);
+        const bool found = !ask(w, {}, 1000).found.empty();
+        const Height height(w.store.bodies[0], load(at));
+        const bool meets = height({}) <= Real{radius};
+        touching += meets;
+        dropped += !found;
+        wrong += meets && !found;
+    }
+    CHECK(touching > 1'000);
+    CHECK(dropped == 0); // all lie within what the layer cannot tell
+    CHECK(wrong == 0);
+}
+
 TEST_CASE("unbounded_candidates: what rests is not asked against a resting plane unless all are")
 {
     World w;
