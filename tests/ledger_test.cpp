@@ -19,7 +19,7 @@ TEST_CASE("Ledger: prints as a table")
     ledger.search_seconds = 1.5;
     ledger.exact_seconds = 0.25;
     std::ostringstream out;
-    out << std::setprecision(3) << std::scientific << ledger;
+    out << std::setprecision(5) << std::scientific << ledger;
     CHECK(out.str() == "  pairs                               1000    100.0000 %\n"
                        "  neither can move                     500     50.0000 %\n"
                        "  asleep                               100     10.0000 %\n"
@@ -37,7 +37,7 @@ TEST_CASE("Ledger: prints as a table")
                        "  order                           0.000 ms\n");
     out.str("");
     out << 0.5; // as it was told before
-    CHECK(out.str() == "5.000e-01");
+    CHECK(out.str() == "5.00000e-01");
     out.str("");
     ledger.again = 7;
     out << ledger;
