@@ -146,6 +146,59 @@ TEST_CASE("join: what balls drop is proven apart, and no time is late, at every 
     CHECK(dropped > 30'000);
 }
 
+TEST_CASE("join: small balls from far away are not told to meet too late")
+{
+    std::size_t meeting = 0;
+    Faults all;
+    for (std::uint64_t i = 0; i < 600; ++i) {
+        Random random(14, i);
+        SweepField one, many;
+        const double r = random.log_between(1e-4, 1), other = r * random.between(0, 1);
+        const Vec3 at = random.in_cube(r), by = random.in_cube(r);
+        one.sweeps.push_back(support::sweep_of_ball({at.x(), at.y(), at.z()}, {by.x(), by.y(), by.z()}, r));
+        for (int k = 0; k < 15; ++k) {
+            const double far = r * random.log_between(4, 1e6), over = random.between(1, 3);
+            const Vec3 from = at + far * random.unit(), aside = random.in_cube(r);
+            const Vec3 to = over * (at + aside - from) + by;
+            many.sweeps.push_back(
+                support::sweep_of_ball({from.x(), from.y(), from.z()}, {to.x(), to.y(), to.z()}, other));
+        }
+        one.plant(0, 1);
+        many.plant(0, 1);
+        const Plan plan = plan_of(31, 0, 1);
+        const Faults f =
+            faults_of(support::join_all(widest_join(), one, many, plan, plenty), one, many, plan);
+        all.lost += f.lost;
+        all.late += f.late;
+        meeting += f.meeting;
+    }
+    CHECK(all.lost == 0);
+    CHECK(all.late == 0);
+    CHECK(meeting > 5'000);
+}
+
+TEST_CASE("join: what recedes is not nearing")
+{
+    const SweepField field = support::draw_field(299, 1, 21);
+    const std::set<SlotPair> found =
+        pairs_in(support::join_all(widest_join(), field, field, plan_of(7, 0, 1), plenty), true);
+    int receding = 0, nearing = 0;
+    for (std::uint32_t i = 0; i < 299; ++i) {
+        for (std::uint32_t k = i + 1; k < 299; ++k) {
+            const Sweep &a = field.sweeps[i], &b = field.sweeps[k];
+            const bool dropped = field.living[i] != 0 && field.living[k] != 0 && overlap(a.box, b.box) &&
+                                 !found.contains({i, k});
+            Real rate = 0;
+            for (int axis = 0; axis < 3; ++axis)
+                rate += (Real{b.from[axis]} - a.from[axis]) * (Real{b.by[axis]} - a.by[axis]);
+            receding += dropped;
+            nearing += dropped && rate < -0.05L; // of up to 1e4
+        }
+    }
+    CHECK(receding > 50);
+    CHECK(nearing == 0);
+}
+
 TEST_CASE("join: a buffer without room is gone on with where it was left")
 {
     for (const std::size_t n : {100, 300, 1500}) {

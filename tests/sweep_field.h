@@ -61,8 +61,10 @@ public:
         if (random_.chance(0.01)) return everywhere();
         if (!before.empty() && random_.chance(0.25)) {
             const Sweep& near = before[static_cast<std::size_t>(random_.index(int(before.size())))];
-            const Vec3 away = random_.unit();
-            const double off = random_.between(-4, 4) * std::ldexp(1, -16 - random_.index(10));
+            const int axis_of = random_.index(6);
+            Vec3 away = random_.unit();
+            if (axis_of < 3) away = (away[0] < 0 ? -1 : 1) * Vec3::Unit(axis_of);
+            const double off = random_.between(-4, 4) * std::ldexp(1, -4 - random_.index(22));
             const double gap = (radius + static_cast<double>(near.radius)) * (1 + off);
             for (int axis = 0; axis < 3 && std::isfinite(near.radius); ++axis) {
                 at[axis] = static_cast<double>(near.from[axis]) + gap * away[axis];

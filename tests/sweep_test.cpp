@@ -198,6 +198,24 @@ TEST_CASE("sweep: tight about what stands still and what only travels")
     CHECK(circle.radius == doctest::Approx(11));
 }
 
+TEST_CASE("sweep: leaves room for the band in which bodies may be called in contact")
+{
+    // Twice 16 eps of all lengths. Both positions are floats, and what lies at zero rounds by nothing there.
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+    const double far = 1e8, least = 32 * eps * far;
+    const Sweep ball = sweep({Sphere{0x1p-10}, support::resting({far, 0, 0})}, {});
+    CHECK(static_cast<double>(ball.box.max[1]) >= 0x1p-10 + least);
+    CHECK(static_cast<double>(ball.box.min[2]) <= -0x1p-10 - least);
+    CHECK(static_cast<double>(ball.radius) >= 0x1p-10 + least);
+    const Sweep back = sweep({Capsule{{0, 0, 0}, {0, -far, 0}, 0}, support::resting({0, far, 0})}, {});
+    CHECK(static_cast<double>(back.box.min[1]) <= -least);
+    Motion swing = support::moving({far, 0, 0}, {0, 0, 0});
+    swing.rotation = Vec3(0, 7, 0);
+    const Sweep turning = sweep({Capsule{{0, 0, 0}, {0, 0, 0.25}, 0}, swing}, {});
+    CHECK(static_cast<double>(turning.box.max[1]) >= 0.25 + least);
+    CHECK(static_cast<double>(turning.radius) >= 0.25 + least);
+}
+
 TEST_CASE("sweep: a sphere on its pivot need not have an orientation, and half way is where it says")
 {
     Motion m = support::moving({1, 2, 3}, {4, 0, 0});

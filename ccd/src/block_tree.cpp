@@ -39,6 +39,7 @@ void BlockTree::resize(std::size_t bodies)
     count = 0;
     height = 0;
     std::size_t blocks = blocks_of(bodies);
+    balls.reserve(blocks); // no more than that, as assign does
     balls.resize(blocks);
     slots.assign(width * blocks, no_slot);
     for (auto& level : levels) {

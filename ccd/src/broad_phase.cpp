@@ -44,7 +44,9 @@ const BlockTree& BroadPhase::tree(Home home) const
 
 void BroadPhase::add(std::uint32_t slot, const BodyStore& store)
 {
-    seats_.resize(store.bodies.size());
+    const std::size_t slots = store.bodies.size();
+    if (slots > seats_.capacity()) seats_.reserve(slots + slots / 8);
+    seats_.resize(slots);
     const Body& body = store.bodies[slot];
     if (brink::unbounded(body.shape)) {
         unbounded.push_back(slot);

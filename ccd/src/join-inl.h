@@ -87,8 +87,7 @@ JOIN_ATTR inline void meet(const Balls& one, int lane, const Balls& balls, const
         const V root = Sqrt(Max(nearest * nearest - c, zero) + slack * (dd * inverse));
         const V entry = c / (root + nearest);
         const V early = entry - all_of(tolerance::time_slack) * entry;
-        const auto told = And(And(dd > enough, a > least), early > zero); // NaN is not above zero
-        const V start = IfThenElse(told, early, zero);
+        const V start = IfThenElse(And(dd > enough, early > zero), early, zero); // NaN is not above zero
         store(m.t + i, start);
         m.receding |= bits_of(AndNot(nearing, apart)) << i;
         m.passing |= bits_of(And(nearing, apart)) << i;

@@ -139,7 +139,8 @@ Packet packet_of(const Sweep& sweep, const Plan& plan)
 
 void drop_what_need_not_be_asked(Chunk& chunk, const BodyStore& store, const Plan& plan)
 {
-    if (store.picky == 0 && !plan.filter && !plan.rest_pairs && plan.mask == 0xffffffff) return;
+    const bool meets_all = plan.category != 0 && plan.mask == 0xffffffff;
+    if (store.picky == 0 && !plan.filter && !plan.rest_pairs && meets_all) return;
     Candidates& all = chunk.candidates;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.count; ++i) {

@@ -156,6 +156,7 @@ void sort_by_place(PlaceSorting& sorting, const BodyStore& store)
                             spread(cell(at.z, low.z, scale)) << 2U;
         },
         4096);
+    sorting.other.reserve(keys.size());
     sorting.other.resize(keys.size());
     radix_sort(keys, sorting.other);
     for_each_part((keys.size() + group - 1) / group,

@@ -33,6 +33,7 @@ struct Layers {
         return x;
     }
 };
+constexpr Layers operator|(Layer x, Layer y) { return Layers(x) | Layers(y); }
 
 /// What one query of a scene did: which layer settled how many pairs, and how long the stages took.
 struct Ledger {
