@@ -40,6 +40,7 @@ struct World {
     {
         store.bodies[slot].motion = motion;
         broad.moved(slot, store);
+        broad.refit_later();
     }
 };
 

@@ -90,7 +90,7 @@ TEST_CASE("drop_what_need_not_be_asked: settles each pair by the first layer tha
         plan.filter = &user;
         plan.rest_pairs = true;
         plan.without = without;
-        drop_what_need_not_be_asked(chunk, store, plan, true);
+        drop_what_need_not_be_asked(chunk, store, plan);
         CAPTURE(without.bits);
         CHECK(Settled{chunk.candidates.count, chunk.skipped, chunk.masked, chunk.filtered} ==
               expected(store, without));
@@ -126,7 +126,7 @@ TEST_CASE("drop_what_need_not_be_asked: a cast has its own category and mask")
                 chunk.candidates.set(chunk.candidates.count++, {no_slot, slot, 0});
                 meet += (plan.category & b.mask) != 0 && (b.category & plan.mask) != 0;
             }
-            drop_what_need_not_be_asked(chunk, *store, plan, store->picky > 0);
+            drop_what_need_not_be_asked(chunk, *store, plan);
             CAPTURE(plan.category);
             CAPTURE(plan.mask);
             CHECK(chunk.candidates.count == meet);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "placed_shape.h"
 #include "draw.h"
+#include "placed_shape.h"
 #include "support.h"
 
 #include <brink/distance.h>

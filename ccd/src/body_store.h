@@ -17,7 +17,8 @@ struct BodyStore {
     std::size_t picky = 0;                 // bodies whose mask leaves some group out
     std::size_t immovable = 0, asleep = 0; // bodies; who is both is immovable
 
-    /// Asks memory for a body that will be needed soon.
+    /// Asks memory for a body that will be needed soon: `ahead` of those in between.
+    static constexpr std::size_t ahead = 8;
     void fetch(std::uint32_t slot) const
     {
         const auto* at = reinterpret_cast<const char*>(&bodies[slot]);

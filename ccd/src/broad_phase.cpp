@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::size_t width = lanes;
 
-/// Bodies are asked of memory this many before they are needed.
-constexpr std::size_t ahead = 8;
-
 /// Leaves that take up this much more than when they were sorted are sorted again.
 constexpr double come_apart = 1.5;
 
@@ -148,7 +145,7 @@ void BroadPhase::build(BlockTree& to, Home home, std::vector<std::uint32_t>& joi
         const std::size_t end = std::min(width * (leaf + 1), keys.size());
         for (std::size_t place = width * leaf; place < end; ++place) {
             const std::uint32_t slot = keys[place].slot;
-            if (place + ahead < keys.size()) store.fetch(keys[place + ahead].slot);
+            if (place + BodyStore::ahead < keys.size()) store.fetch(keys[place + BodyStore::ahead].slot);
             to.set(place, slot, sweep(store.bodies[slot], origin));
             seats_[slot] = seat(place, home);
         }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <type_traits>
 
 namespace brink {
 
@@ -10,9 +9,8 @@ namespace brink {
 class PartTask {
 public:
     template <class F>
-    requires(!std::is_same_v<std::remove_cvref_t<F>, PartTask>) PartTask(F&& task)
-        : task_(&task),
-          call_([](const void* t, std::size_t i) { (*static_cast<const std::remove_reference_t<F>*>(t))(i); })
+    PartTask(const F& task)
+        : task_(&task), call_([](const void* t, std::size_t i) { (*static_cast<const F*>(t))(i); })
     {
     }
     void operator()(std::size_t i) const { call_(task_, i); }

@@ -19,9 +19,6 @@ void refuse_while_asked(const SceneData& data)
         throw std::logic_error("brink::Scene: changed or asked from within one of its own queries");
 }
 
-/// Bodies are asked of memory this many before they are needed.
-constexpr std::size_t ahead = 8;
-
 /// That all are there and none is named twice. Returns how many are not among the movers.
 std::size_t check_named(const BodyStore& store, BroadPhase& broad, std::span<const BodyId> bodies)
 {
@@ -46,7 +43,7 @@ void check_motions(const BodyStore& store, std::span<const BodyId> bodies, std::
 {
     std::atomic<std::size_t> bad = bodies.size(); // the first of them
     for_each_part(bodies.size(), [&](std::size_t i) {
-        if (i + ahead < bodies.size()) store.fetch(store.slots[bodies[i + ahead]]);
+        if (i + BodyStore::ahead < bodies.size()) store.fetch(store.slots[bodies[i + BodyStore::ahead]]);
         if (fits(motions[i], store.bodies[store.slots[bodies[i]]])) return;
         std::size_t first = bad.load();
         while (i < first && !bad.compare_exchange_weak(first, i)) {
@@ -104,7 +101,7 @@ void Scene::set_motions(std::span<const BodyId> bodies, std::span<const Motion> 
     const std::size_t at_rest = check_named(store, broad, bodies);
     check_motions(store, bodies, motions);
     for_each_part(bodies.size(), [&](std::size_t i) {
-        if (i + ahead < bodies.size()) store.fetch(store.slots[bodies[i + ahead]]);
+        if (i + BodyStore::ahead < bodies.size()) store.fetch(store.slots[bodies[i + BodyStore::ahead]]);
         const std::uint32_t slot = store.slots[bodies[i]];
         store.bodies[slot].motion = motions[i];
         if (broad.is_mover(slot)) broad.moved(slot, store);

@@ -68,7 +68,7 @@ public:
     bool matters(const Candidate& c, const Impact& than) const
     {
         if (than.a == no_body && than.b == no_body) return true;
-        const double t = static_cast<double>(c.t);
+        const auto t = static_cast<double>(c.t);
         if (t != than.toi.t) return t < than.toi.t;
         const BodyId a = data_.store.ids[c.a], b = data_.store.ids[c.b];
         return earlier({std::min(a, b), std::max(a, b), than.toi}, than);

@@ -108,7 +108,7 @@ bool Search::next_round(const Plan& plan)
     return used_ > 0;
 }
 
-void Search::find(Chunk& chunk, const BodyStore& store, const BroadPhase& broad, const Plan& plan) const
+void Search::find(Chunk& chunk, const BodyStore& store, const BroadPhase& broad, const Plan& plan)
 {
     Candidates& to = chunk.candidates;
     to.make_room(most_candidates);

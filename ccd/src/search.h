@@ -102,7 +102,7 @@ public:
 private:
     void begin(const BodyStore&, const BroadPhase&, const Plan&);
     bool next_round(const Plan&);
-    void find(Chunk&, const BodyStore&, const BroadPhase&, const Plan&) const;
+    static void find(Chunk&, const BodyStore&, const BroadPhase&, const Plan&);
     void end_finding();
     Item fresh_item(std::uint64_t index) const;
     std::uint64_t left() const { return pending_.size() + (fresh_count_ - fresh_); }
