@@ -167,6 +167,7 @@ TEST_CASE("origin_for: amid the scene, and the present one while it will do")
     for (std::uint32_t slot = 0; slot < 1000; ++slot) // who is gone does not count
         if (slot != 500) store.remove(slot);
     CHECK(origin_for(store, {}) == load(places[500]));
+    CHECK(origin_for(store_of({Vec3(0, 0, 0)}), {1e8, 0, 0}) == V3{});
     CHECK(origin_for(BodyStore{}, {1, 2, 3}) == V3{1, 2, 3});
     CHECK(origin_for(store_of({Vec3(1e300, 0, 0)}), {}) == V3{});
 }
