@@ -84,7 +84,7 @@ double length_of_tour(const PlaceSorting& s, const std::vector<Vec3>& places)
 TEST_CASE("sort_by_place: a permutation along the curve, near each other what lies near")
 {
     Random random(4);
-    for (const std::size_t n : {0, 1, 2, 255, 256, 257, 6000}) {
+    for (const std::size_t n : {0U, 1U, 2U, 255U, 256U, 257U, 6000U}) {
         std::vector<Vec3> places;
         const Vec3 far = random.in_cube(1e6);
         for (std::size_t i = 0; i < n; ++i)
@@ -115,7 +115,7 @@ TEST_CASE("sort_by_place: outliers take no room from the others")
         const Vec3 away = random.unit();
         places[i] = 1e300 * away;
     }
-    for (const std::size_t i : {0, 1200, 2400}) // where a sample of 256 looks
+    for (const std::size_t i : {0U, 1200U, 2400U}) // where a sample of 256 looks
         places[i] = Vec3(1e9, -1e9, 1e9);
     const PlaceSorting s = sorted(store_of(places));
     CHECK(is_permutation(s));
