@@ -4,6 +4,7 @@
 #include "pair_bench.h"
 #include "pair_sample.h"
 #include "pairs.h"
+#include "scene_bench.h"
 #include "stability.h"
 #include "tunnelling.h"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 namespace {
 
@@ -31,6 +33,9 @@ struct Arguments {
     CLI::App* stability_part = nullptr;
     IngredientOptions ingredients;
     CLI::App* ingredients_part = nullptr;
+    SceneBenchOptions scene;
+    bool quick = false; // a scene to 1e5 bodies
+    CLI::App* scene_part = nullptr;
     std::vector<std::string> pairs{"all"};
     bool rows = false; // only print this build's rows
 };
@@ -73,6 +78,33 @@ void describe_accuracy(CLI::App& part, AccuracyOptions& options)
         ->capture_default_str();
 }
 
+void describe_scene(CLI::App& part, SceneBenchOptions& options)
+{
+    part.add_option("--n", options.n, "bodies, separated by commas")
+        ->delimiter(',')
+        ->check(CLI::Range(100, 10'000'000))
+        ->capture_default_str();
+    part.add_option("--scenes", options.scenes, "which, separated by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember(or_all(bench_scenes())))
+        ->capture_default_str();
+    part.add_option("--orders", options.orders, "in which the bodies are stored")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"random", "spatial"}))
+        ->capture_default_str();
+    part.add_option("--threads", options.threads, "of brink, separated by commas; 1 is always measured")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    part.add_option("--steps", options.steps, "that medians are of; three of what takes long")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    part.add_option("--layers", options.layers_n,
+                    "bodies of the scenes whose layers are switched off; 0: none")
+        ->check(CLI::Range(0, 100'000))
+        ->capture_default_str();
+}
+
 void describe(CLI::App& app, Arguments& arguments)
 {
     app.require_subcommand(0, 1); // none is told in our own words
@@ -94,8 +126,12 @@ void describe(CLI::App& app, Arguments& arguments)
         ->add_option("--queries", arguments.ingredients.queries, "of each pair, half of them hits")
         ->check(CLI::Range(100, 100'000))
         ->capture_default_str();
+    arguments.scene_part = app.add_subcommand(
+        "scene", "ms per step of whole scenes of moving bodies; FCL's and Bullet's broad phases beside it");
+    describe_scene(*arguments.scene_part, arguments.scene);
+    arguments.scene_part->add_flag("--quick", arguments.quick, "none of more than 100,000 bodies");
     for (CLI::App* part : {arguments.tunnelling_part, arguments.pairs_part, arguments.accuracy_part,
-                           arguments.stability_part, arguments.ingredients_part})
+                           arguments.stability_part, arguments.ingredients_part, arguments.scene_part})
         part->add_option("--out", arguments.out, "folder for CSVs and pictures")->capture_default_str();
     arguments.tunnelling_part
         ->add_option("--crossings", arguments.tunnelling.crossings,
@@ -121,6 +157,14 @@ int explain(const CLI::App& app, std::string_view wrong)
     return bad_input;
 }
 
+SceneBenchOptions scene_options(const Arguments& arguments)
+{
+    SceneBenchOptions options = arguments.scene;
+    if (arguments.quick) std::erase_if(options.n, [](std::size_t n) { return n > 100'000; });
+    if (options.n.empty()) throw std::invalid_argument("--quick leaves nothing of --n");
+    return options;
+}
+
 int run(const Arguments& arguments, const std::filesystem::path& program)
 {
     const auto all = std::find(arguments.pairs.begin(), arguments.pairs.end(), "all");
@@ -135,6 +179,7 @@ int run(const Arguments& arguments, const std::filesystem::path& program)
     if (arguments.stability_part->parsed()) return run_stability(output, arguments.stability) == 0 ? 0 : 1;
     if (arguments.ingredients_part->parsed())
         return run_ingredients(output, arguments.ingredients) == 0 ? 0 : 1;
+    if (arguments.scene_part->parsed()) return run_scenes(output, scene_options(arguments)) == 0 ? 0 : 1;
     run_pairs(output, names, program.parent_path() / "brink-bench-v3");
     return 0;
 }
@@ -149,7 +194,7 @@ int main(int argc, char** argv)
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return explain(app, "which part? tunnelling, pairs, accuracy, stability or ingredients");
+            return explain(app, "which part? tunnelling, pairs, accuracy, stability, ingredients or scene");
         return run(arguments, std::filesystem::canonical("/proc/self/exe"));
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);

@@ -2,7 +2,8 @@
 # Sourced by tests/run.sh, bench/run.sh and .ci/run: installs the Debian packages named, where they are missing.
 
 brink_packages="g++ cmake ninja-build libeigen3-dev libfcl-dev libccd-dev doctest-dev libbenchmark-dev libcli11-dev
-libfmt-dev libqhull-dev libboost-dev libmpfr-dev libgmp-dev gnuplot-nox"
+libfmt-dev libqhull-dev libboost-dev libmpfr-dev libgmp-dev libhwy-dev libtbb-dev libbullet-dev
+gnuplot-nox"
 
 install_missing() { # <package>...
     local missing=() package sudo=()

@@ -45,6 +45,8 @@ static inline bool masks_meet(std::uint32_t category_a, std::uint32_t mask_a, st
     return (category_a & mask_b) != 0 && (category_b & mask_a) != 0;
 }
 
+/// Whether a motion is valid for a body, which keeps its place if it rests.
+bool fits(const Motion&, const Body& of);
 /// Throw std::invalid_argument that names field, value and id where something is out of range.
 void check(const Body&, BodyId);
 void check(const Motion&, const Body& of, BodyId);

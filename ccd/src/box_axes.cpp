@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "box_axes.h"
 
+#include "lanes.h"
 #include "nearest.h"
 #include "support.h"
 #include "tolerance.h"
@@ -66,20 +67,23 @@ void try_faces(const Boxes& s, Best& best)
 void try_edges(const Boxes& s, Best& best)
 {
     constexpr int next[3] = {1, 2, 0}, last[3] = {2, 0, 1};
+    double least = best.gap * std::fabs(best.gap); // what squares are compared with
     for (int i = 0; i < 3; ++i) {
         const int i1 = next[i], i2 = last[i];
         for (int j = 0; j < 3; ++j) {
             const double square = 1 - s.c.of[i][j] * s.c.of[i][j];
-            if (square < tolerance::nearly_parallel) continue;
             const double from = s.from[i2] * s.c.of[i1][j] - s.from[i1] * s.c.of[i2][j];
             const double reach =
                 (s.ha[i1] * s.c.size[i2][j] + s.ha[i2] * s.c.size[i1][j]) +
                 (s.hb[next[j]] * s.c.size[i][last[j]] + s.hb[last[j]] * s.c.size[i][next[j]]);
-            const double longer = std::fabs(from) - reach; // the gap times the sine
+            const double longer = std::fabs(from) - reach;             // the gap times the sine
+            if (longer * std::fabs(longer) < least * square) continue; // by far the most
+            if (square < tolerance::nearly_parallel) continue;
             if (best.gap > 0 ? longer <= 0 || longer * longer <= best.gap * best.gap * square
                              : longer < 0 && longer * longer >= best.gap * best.gap * square)
                 continue;
             best = {longer / std::sqrt(square), 6 + 3 * i + j, from};
+            least = best.gap * std::fabs(best.gap);
         }
     }
 }
@@ -94,9 +98,16 @@ struct Edge {
 };
 Edge edge_towards(const Core& c, int k, V3 d)
 {
-    const int top = farthest(c, d).corner, bit = 1 << k;
-    const V3 from = corner(c, top & ~bit);
-    return {from, corner(c, top | bit) - from};
+    constexpr double side[2] = {-1, 1};
+    const V3 h = c.half_extents, up = into(c.axes, d);
+    const int top =
+        static_cast<int>(up.x > 0) + 2 * static_cast<int>(up.y > 0) + 4 * static_cast<int>(up.z > 0);
+    const int from = top & ~(1 << k), to = top | 1 << k;
+    const auto ends = [&](int axis) { return Two{side[from >> axis & 1], side[to >> axis & 1]}; };
+    const XYZ<Two> on_x = both(c.centre) + ends(0) * both(h.x) * both(c.axes.x);
+    const XYZ<Two> on_y = on_x + ends(1) * both(h.y) * both(c.axes.y);
+    const XYZ<Two> corners = on_y + ends(2) * both(h.z) * both(c.axes.z);
+    return {first(corners), second(corners) - first(corners)};
 }
 
 BoxWitness over_face(const Core& box, V3 point)

@@ -75,7 +75,7 @@ void BroadPhase::moved(std::uint32_t slot, const BodyStore& store)
 {
     const Home home = seats_[slot].home;
     if (home == Home::movers) {
-        seats_[slot].stale = any_stale_ = true;
+        movers.set(seats_[slot].place, slot, sweep(store.bodies[slot], origin));
     } else if (home == Home::resting || home == Home::arrived) {
         remove(slot);
         add(slot, store);
@@ -100,8 +100,9 @@ void BroadPhase::update(const BodyStore& store)
     }
     settle(store);
     if (!new_movers_.empty() || sparse(movers)) return build(movers, Home::movers, new_movers_, store);
-    if (!any_stale_) return;
-    refit(store);
+    if (!bounds_moved_) return;
+    movers.bound(store.ids);
+    bounds_moved_ = false;
     if (movers.spread() > come_apart * spread_when_built_) build(movers, Home::movers, new_movers_, store);
 }
 
@@ -155,25 +156,8 @@ void BroadPhase::build(BlockTree& to, Home home, std::vector<std::uint32_t>& joi
     to.bound(store.ids);
     if (home == Home::movers) {
         spread_when_built_ = to.spread();
-        any_stale_ = false;
+        bounds_moved_ = false;
     }
-}
-
-void BroadPhase::refit(const BodyStore& store)
-{
-    for_each_part(movers.leaves(), [&](std::size_t leaf) {
-        for (std::size_t place = width * leaf; place < width * (leaf + 1); ++place) {
-            const std::uint32_t slot = movers.slots[place];
-            const std::uint32_t soon =
-                place + ahead < movers.slots.size() ? movers.slots[place + ahead] : no_slot;
-            if (soon != no_slot) store.fetch(soon);
-            if (slot == no_slot || !seats_[slot].stale) continue;
-            movers.set(place, slot, sweep(store.bodies[slot], origin));
-            seats_[slot].stale = false;
-        }
-    });
-    movers.bound(store.ids);
-    any_stale_ = false;
 }
 
 std::size_t BroadPhase::bytes() const

@@ -16,12 +16,12 @@ enum class Home : unsigned char { none, joining, movers, resting, arrived, unbou
 struct Seat {
     std::uint32_t place : 28 = 0; // in its tree
     Home home : 3 = Home::none;
-    bool stale : 1 = false; // has moved since its bounds were told
+    bool named : 1 = false; // by the change that is being made
 };
 
 /// Where every body of a scene may be over the step.
 ///
-/// Movers are in a tree that is refitted every step and built anew when its leaves have come apart. What
+/// Movers are in a tree whose bounds follow every step and built anew when its leaves have come apart. What
 /// rests is in one that is only built when much has changed: what came to rest since then is in a small third
 /// tree, what left it is an empty lane. Planes and half-spaces are in no tree.
 struct BroadPhase {
@@ -31,8 +31,19 @@ struct BroadPhase {
 
     void add(std::uint32_t slot, const BodyStore&);
     void remove(std::uint32_t slot);
-    /// Its motion is another than before.
+    /// Its motion is another than before. Side by side only for bodies in the movers' tree, then
+    /// refit_later().
     void moved(std::uint32_t slot, const BodyStore&);
+    void refit_later() { bounds_moved_ = true; }
+    bool is_mover(std::uint32_t slot) const { return seats_[slot].home == Home::movers; }
+    /// Notes that a change names this body; false if it was noted already.
+    bool name(std::uint32_t slot)
+    {
+        const bool before = seats_[slot].named;
+        seats_[slot].named = true;
+        return !before;
+    }
+    void forget_name(std::uint32_t slot) { seats_[slot].named = false; }
     void update(const BodyStore&);
     /// The bounds as held; after update().
     Box3f box(std::uint32_t slot) const;
@@ -42,7 +53,6 @@ struct BroadPhase {
 private:
     void build(BlockTree&, Home, std::vector<std::uint32_t>& joining, const BodyStore&);
     void rebuild_all(const BodyStore&);
-    void refit(const BodyStore&);
     void settle(const BodyStore&);
     const BlockTree& tree(Home) const;
     BlockTree& tree(Home home) { return const_cast<BlockTree&>(std::as_const(*this).tree(home)); }
@@ -50,7 +60,7 @@ private:
     std::vector<Seat> seats_; // by slot
     std::vector<std::uint32_t> new_movers_, new_resting_;
     PlaceSorting sorting_;
-    bool any_stale_ = false;
+    bool bounds_moved_ = false; // of movers, since the levels above them were told
     double spread_when_built_ = 0;
 };
 

@@ -44,7 +44,7 @@ private:
 class Shadow {
 public:
     Shadow(const Posed<Core>& body, V3 axis, V3 shift, double side)
-        : body_(body), axis_(axis, shift), side_(side), still_(shift == V3{})
+        : body_(body), axis_(axis, shift), side_(side), still_(shift == V3{} || body.part.count == 1)
     {
         const Core& c = body.part;
         if (c.kind <= Core::Kind::triangle) {
@@ -68,7 +68,7 @@ private:
         if (c.kind == Core::Kind::box) {
             Line p = middle_;
             for (const Line& l : line_)
-                p += both(std::copysign(1.0, side_ * at(l, h))) * l;
+                p += brink::along(l, both(side_ * at(l, h)));
             return p;
         }
         if (c.kind <= Core::Kind::triangle) {
@@ -107,29 +107,6 @@ template <class Part> using ShadowOf = std::conditional_t<std::is_same_v<Part, C
 double reach_along(const Posed<Core>& body, V3 q) { return highest(body.part, q) - dot(q, body.pivot); }
 double reach_along(const Posed<Border>&, V3) { return 0; }
 
-/// What one body adds to the bounds of the second and third derivative of n . x while n turns.
-struct Bend {
-    double second = 0, third = 0;
-};
-
-template <class Part> Bend bend(const Posed<Part>& body, const TurningAxis& n, V3 relative, double spin)
-{
-    if (relative == V3{}) return {}; // the axis is glued to it
-    if (spin == 0) {
-        const double across = norm(cross(n.normal, body.rate)) * body.angle;
-        return {body.reach * across, body.reach * across * body.angle};
-    }
-    const double rate = norm(relative), turn = norm(cross(body.rate, n.spin));
-    return {body.reach * (turn + rate * rate),
-            body.reach * (rate * rate * rate + 3 * rate * turn + spin * turn)};
-}
-
-/// The second derivative of n . x now is x . this.
-template <class Part> V3 bend_now(const Posed<Part>& body, const TurningAxis& n, V3 relative)
-{
-    return cross(n.normal, cross(body.rate, n.spin)) + cross(relative, cross(relative, n.normal));
-}
-
 /// phi(h) = value + slope h - curvature h^2 / 2 <= gap(t + h) for h in [0, horizon]: every pair of points at
 /// once, because the extreme points are those of an axis that moves linearly. phi is concave. Proof:
 /// numerics.md.
@@ -138,10 +115,11 @@ public:
     Bound(const Facing<Part>& f, const TurningAxis& axis, double horizon)
         : f_(f),
           axis_(axis),
-          relative_a_(f.a.rate - axis.spin),
-          relative_b_(f.b.rate - axis.spin),
-          a_(f.a, axis.normal, cross(axis.normal, relative_a_), 1),
-          b_(f.b, axis.normal, cross(axis.normal, relative_b_), -1),
+          rates_(pair(f.a.rate, f.b.rate)),
+          relative_(rates_ - both(axis.spin)),
+          shift_(cross(both(axis.normal), relative_)),
+          a_(f.a, axis.normal, first(shift_), 1),
+          b_(f.b, axis.normal, second(shift_), -1),
           drift_(cross(axis.spin, axis.normal)),
           rest_{-f.margin, dot(axis.normal, f.velocity) + dot(drift_, f.b.pivot)},
           now_((b_.now() - a_.now()) + rest_),
@@ -154,18 +132,22 @@ public:
         // Past the root of its tangent a concave function is negative.
         if (now_[1] < 0 && now_[0] > 0) horizon_ = std::min(horizon_, now_[0] / -now_[1]);
         const double spin = norm(axis_.spin);
-        const Bend a = bend(f_.a, axis_, relative_a_, spin), b = bend(f_.b, axis_, relative_b_, spin);
-        curvature_ = a.second + b.second;
-        double third = a.third + b.third;
+        const XYZ<Two> across = cross(rates_, both(axis_.spin));
+        const Bend of_each = bend(across, spin);
+        curvature_ = of_each.second[0] + of_each.second[1];
+        double third = of_each.third[0] + of_each.third[1];
         if (spin > 0) {
-            const double far = std::max(norm(f_.b.pivot), norm(f_.b.pivot + horizon_ * f_.velocity));
-            const double turn = norm(drift_), speed = norm(f_.velocity);
+            const Two away = norm(pair(f_.b.pivot, f_.b.pivot + horizon_ * f_.velocity));
+            const Two moved = norm(pair(drift_, f_.velocity));
+            const double far = std::max(away[0], away[1]), turn = moved[0], speed = moved[1];
             curvature_ += spin * turn * far + 2 * turn * speed;
             third += spin * (spin * turn * far + 3 * turn * speed);
         }
         if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_[0]))) return;
-        const double bent = reach_along(f_.b, -bend_now(f_.b, axis_, relative_b_)) +
-                            reach_along(f_.a, bend_now(f_.a, axis_, relative_a_)) -
+        // The second derivative of n . x now is x . this.
+        const XYZ<Two> normal = both(axis_.normal);
+        const XYZ<Two> now = cross(normal, across) + cross(relative_, cross(relative_, normal));
+        const double bent = reach_along(f_.b, -second(now)) + reach_along(f_.a, first(now)) -
                             dot(cross(axis_.spin, drift_), f_.b.pivot) - 2 * dot(drift_, f_.velocity);
         curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
     }
@@ -201,9 +183,27 @@ public:
     }
 
 private:
+    /// What each body adds to the bounds of the second and third derivative of n . x while n turns; none
+    /// where the axis is glued to it.
+    struct Bend {
+        Two second, third;
+    };
+    /// `across` are the cross products of the rates and the spin.
+    Bend bend(const XYZ<Two>& across, double spin) const
+    {
+        const Two reach{f_.a.reach, f_.b.reach};
+        if (spin == 0) {
+            const Two angle{f_.a.angle, f_.b.angle}, second = reach * (norm(shift_) * angle);
+            return {second, second * angle};
+        }
+        const Two rate = norm(relative_), turn = norm(across);
+        return {reach * (turn + rate * rate),
+                reach * (rate * rate * rate + both(3) * rate * turn + both(spin) * turn)};
+    }
+
     const Facing<Part>& f_;
     const TurningAxis& axis_;
-    V3 relative_a_, relative_b_;
+    XYZ<Two> rates_, relative_, shift_; // A's and B's
     Shadow a_;
     ShadowOf<Part> b_;
     V3 drift_;

@@ -54,8 +54,9 @@ template <class Part> void Course<Part>::go(double time)
 {
     t_ = time;
     facing_.b.pivot = from_ + t_ * facing_.velocity;
-    a_.place(part_a_, t_, {});
-    b_.place(part_b_, t_, facing_.b.pivot);
+    const auto [a, b] = turns(t_);
+    a_.place(part_a_, a, {});
+    b_.place(part_b_, b, facing_.b.pivot);
 }
 
 template <class Part> Toi Course<Part>::answer(Status status, const Separation& s) const

@@ -26,7 +26,8 @@ public:
     };
     Later later(double time) const
     {
-        return {turned(a_.turn, time - t_), turned(b_.turn, time - t_), from_ + time * facing_.velocity};
+        const auto [a, b] = turns(time - t_);
+        return {turned(a_.turn, a), turned(b_.turn, b), from_ + time * facing_.velocity};
     }
     Separation separated() const { return separation(part_a_, part_b_); }
 
@@ -46,6 +47,13 @@ public:
     int iterations = 0; // distance evaluations
 
 private:
+    /// Sines and cosines of the angles by which both turn in that time.
+    TwoSinCos turns(double time) const
+    {
+        if (a_.turn.angle == 0) return {{}, sin_cos(time * b_.turn.angle)};
+        return sin_cos(time * a_.turn.angle, time * b_.turn.angle);
+    }
+
     const Mover<Core>& a_;
     const Mover<Part>& b_;
     V3 from_; // from A's pivot to B's at the start

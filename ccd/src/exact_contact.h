@@ -19,4 +19,13 @@ struct Verdict {
 /// Both shapes translate, valid, of a pair with a closed form, in the table's order.
 Verdict exact_contact(const Query& q);
 
+template <class T, class... Ts> constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);
+
+/// Whether exact numbers can settle what rounding leaves in doubt.
+template <class A, class B>
+constexpr bool in_whole_numbers = (is_one_of<A, Sphere> && is_one_of<B, Sphere, Capsule, Box, Triangle>) ||
+                                  (is_one_of<A, Capsule> && is_one_of<B, Capsule>) ||
+                                  (is_one_of<A, Sphere, Capsule, Box, Triangle> &&
+                                   is_one_of<B, Plane, HalfSpace>);
+
 } // namespace brink

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "approach.h"
+#include "hull_data.h"
 #include "toi_query.h"
 #include "tolerance.h"
 #include "valid_motion.h"
@@ -44,6 +45,17 @@ static inline double size(const Box& s) { return sum(s.half_extents); }
 static inline double size(const Triangle& s) { return sum(s.a) + sum(s.b) + sum(s.c); }
 static inline double size(const Plane& s) { return std::fabs(s.offset); }
 static inline double size(const HalfSpace& s) { return std::fabs(s.offset); }
+static inline double size(const Cylinder& s) { return s.half_length + s.radius; }
+static inline double size(const Cone& s) { return s.half_length + s.radius; }
+static inline double size(const Ellipsoid& s) { return sum(s.radii); }
+static inline double size(const Hull& s)
+{
+    return s.data() ? std::ldexp(s.data()->reach, s.data()->exponent) : 0;
+}
+static inline double size(const Motion& m)
+{
+    return sum(m.start.position) + sum(m.translation) + sum(m.pivot);
+}
 
 /// The lengths that matter to bodies which only translate, added up.
 template <class A, class B> static inline double lengths(const Query& q, const Approach& m)
@@ -79,6 +91,22 @@ static inline std::uint64_t any_bit(const Vec3& v)
     return (bits(c[0]) | bits(c[1]) | bits(c[2])) << 1U;
 }
 
+/// turns() by the bits: what translates is not to wait for it.
+template <class Shape> [[gnu::always_inline]] static inline bool seen_turning(const Shape&, const Motion& m)
+{
+    const bool rotates = any_bit(m.rotation) != 0;
+    if constexpr (std::is_same_v<Shape, Sphere>)
+        return all(rotates, any_bit(m.pivot) != 0);
+    else
+        return rotates;
+}
+
+/// Whether the largest of up to 2^10 lengths, which add up to this, needs no scaling (rescale.h).
+static inline bool of_turning_scale(double lengths)
+{
+    return all(lengths > 0x1p10 * tolerance::smallest_lengths, lengths < tolerance::largest_lengths / 64);
+}
+
 /// What a shape's own check asks besides finite lengths.
 static inline bool sized(const Sphere& s) { return up_to(tolerance::largest_lengths, s.radius); }
 static inline bool sized(const Capsule& s) { return up_to(tolerance::largest_lengths, s.radius); }
@@ -105,6 +133,22 @@ static inline bool usual(const Options& o)
     return all(up_to(1, o.t_max), up_to(tolerance::largest_lengths, o.target_gap),
                up_to(tolerance::largest_lengths, o.tolerance), o.max_iterations >= 1,
                o.start_contact <= StartContact::ignore, o.detail <= Detail::time_only);
+}
+
+/// Whether a body that may turn is seen at a glance to be valid, but for lengths that are not finite.
+template <class Shape> static inline bool turns_well(const Shape& s, const Motion& m)
+{
+    return all(sized(s), valid(m.start.orientation), sum(m.rotation) <= largest_rotation);
+}
+
+/// The same of a query, lengths and all, which moreover are near 1.
+template <class A, class B> static inline bool usual_turning(const Query& q)
+{
+    const A& a = as<A>(q.a);
+    const B& b = as<B>(q.b);
+    const double lengths = size(a) + size(b) + size(q.motion_a) + size(q.motion_b) + q.options.target_gap;
+    return all(of_turning_scale(lengths), turns_well(a, q.motion_a), turns_well(b, q.motion_b),
+               usual(q.options));
 }
 
 } // namespace brink

@@ -195,6 +195,11 @@ JOIN_ATTR inline std::uint32_t join(const Packet& p, const BlockTree& tree, std:
         const auto l = static_cast<std::size_t>(level);
         const auto child = f.block * lanes + static_cast<std::uint32_t>(k);
         if (p.least > rules.below && tree.least[l - 1][child] > rules.below) continue;
+        if (level > 1 && p.dense) { // some lane is near whatever the packet's bound is near
+            --level;
+            frames[level] = {child, children(level, child)};
+            continue;
+        }
         const Mask from = rules.boxes ? lanes_near(p, box_at(tree.levels[l][f.block], k), rules) : p.held;
         if (from == 0) continue;
         if (level > 1) {

@@ -18,6 +18,7 @@ struct Packet {
     Mask far =
         0; // of those, the ones that travel far for their size: their path is looked at, not only its box
     Box3f bound = empty_box;
+    bool dense = false;     // the boxes fill the bound well enough to stand for it
     BodyId least = no_body; // the lowest id
     std::uint32_t slots[lanes]{};
 };

@@ -4,32 +4,27 @@
 #include "support.h"
 #include "tolerance.h"
 
+#include <type_traits>
+
 namespace brink {
 
 namespace {
-
-Turning turning(V3 v, const Turn& turn)
-{
-    const V3 still = dot(turn.axis, v) * turn.axis;
-    return {still, v - still, cross(turn.axis, v)};
-}
 
 /// Whether the core is given by its corners; else by its axes and centre.
 bool by_corners(const Core& c) { return c.kind <= Core::Kind::triangle; }
 
 void prepare(Mover<Core>& m)
 {
-    if (by_corners(m.part)) {
-        for (int k = 0; k < m.part.count; ++k)
-            m.vectors[k] = turning(m.part.points[k], m.turn);
+    const Core& c = m.part;
+    if (by_corners(c)) {
+        m.vectors[0] = {pair(c.points[0], c.points[1]), m.turn};
+        if (c.count > 2) m.vectors[1] = {pair(c.points[2], {}), m.turn};
         return;
     }
-    m.vectors[0] = turning(m.part.axes.x, m.turn);
-    m.vectors[1] = turning(m.part.axes.y, m.turn);
-    m.vectors[2] = turning(m.part.axes.z, m.turn);
-    m.vectors[3] = turning(m.part.centre, m.turn);
+    m.vectors[0] = {pair(c.axes.x, c.axes.y), m.turn};
+    m.vectors[1] = {pair(c.axes.z, c.centre), m.turn};
 }
-void prepare(Mover<Border>& m) { m.vectors[0] = turning(m.part.normal, m.turn); }
+void prepare(Mover<Border>& m) { m.vectors[0] = {both(m.part.normal), m.turn}; }
 
 /// Puts a part as it starts, given in its own frame, about its pivot.
 void start(Core& c, const Rotation& start, V3 pivot)
@@ -50,17 +45,6 @@ void start(Core& c, const Rotation& start, V3 pivot)
 }
 void start(Border& b, const Rotation& start, V3 pivot) { b = placed(placed(b, {}, -pivot), start, {}); }
 
-template <class Part> void start(Mover<Part>& m, const Motion& motion)
-{
-    const V3 pivot = load(motion.pivot);
-    const Rotation turned = rotation(motion.start.orientation);
-    start(m.part, turned, pivot);
-    m.position = load(motion.start.position);
-    if (!(pivot == V3{})) m.arm = turned * pivot;
-    m.translation = load(motion.translation);
-    m.turn = turn(motion.rotation);
-}
-
 } // namespace
 
 Turn turn(const Vec3& rotation)
@@ -71,57 +55,70 @@ Turn turn(const Vec3& rotation)
     return {rate, {rate.x / angle, rate.y / angle, rate.z / angle}, angle};
 }
 
-Rotation turned(const Turn& turn, double t)
+Turning::Turning(const XYZ<Two>& vectors, const Turn& turn)
 {
-    if (turn.angle == 0 || t == 0) return {};
-    const SinCos at = sin_cos(t * turn.angle);
+    const XYZ<Two> axis = both(turn.axis);
+    still = dot(axis, vectors) * axis;
+    cosine = vectors - still;
+    sine = cross(axis, vectors);
+}
+
+Rotation turned(const Turn& turn, double t) { return turned(turn, sin_cos(t * turn.angle)); }
+
+Rotation turned(const Turn& turn, SinCos at)
+{
+    if (at.sin == 0 && at.cos == 1) return {};
     const V3 k = turn.axis, sk = at.sin * k, ck = (1 - at.cos) * k;
     return {{at.cos + ck.x * k.x, ck.x * k.y + sk.z, ck.x * k.z - sk.y},
             {ck.y * k.x - sk.z, at.cos + ck.y * k.y, ck.y * k.z + sk.x},
             {ck.z * k.x + sk.y, ck.z * k.y - sk.x, at.cos + ck.z * k.z}};
 }
 
-template <> void Mover<Core>::place(Core& copy, double t, V3 at) const
+template <> void Mover<Core>::place(Core& copy, SinCos turned, V3 at) const
 {
     const bool still = turn.angle == 0;
-    const SinCos a = still ? SinCos{0, 1} : sin_cos(t * turn.angle);
-    if (by_corners(part)) {
-        for (int k = 0; k < part.count; ++k)
-            copy.points[k] = (still ? part.points[k] : vectors[k].at(a)) + at;
-        return;
-    }
-    if (still) {
+    if (still && !by_corners(part)) {
         copy.centre = part.centre + at;
-        return;
+    } else if (still) {
+        for (int k = 0; k < part.count; ++k)
+            copy.points[k] = part.points[k] + at;
+    } else if (by_corners(part)) {
+        const XYZ<Two> ends = vectors[0].at(turned) + both(at);
+        copy.points[0] = first(ends);
+        copy.points[1] = second(ends);
+        if (part.count > 2) copy.points[2] = first(vectors[1].at(turned)) + at;
+    } else {
+        const XYZ<Two> xy = vectors[0].at(turned), rest = vectors[1].at(turned);
+        copy.axes = {first(xy), second(xy), first(rest)};
+        copy.centre = second(rest) + at;
     }
-    copy.axes = {vectors[0].at(a), vectors[1].at(a), vectors[2].at(a)};
-    copy.centre = vectors[3].at(a) + at;
 }
 
-template <> void Mover<Border>::place(Border& copy, double t, V3 at) const
+template <> void Mover<Border>::place(Border& copy, SinCos turned, V3 at) const
 {
-    if (turn.angle > 0) copy.normal = vectors[0].at(sin_cos(t * turn.angle));
+    if (turn.angle > 0) copy.normal = first(vectors[0].at(turned));
     copy.offset = part.offset + dot(copy.normal, at);
 }
 
-Mover<Core> mover(const Core& local, const Motion& motion)
+template <class Part>
+Mover<Part>::Mover(const Part& local, const Motion& motion)
+    : part(local),
+      position(load(motion.start.position)),
+      translation(load(motion.translation)),
+      turn(brink::turn(motion.rotation))
 {
-    Mover<Core> m;
-    m.part = local;
-    start(m, motion);
-    m.reach = reach(m.part) * (1 + tolerance::holding_slack);
-    if (m.reach == 0) m.turn = {};
-    if (m.turn.angle > 0) prepare(m);
-    return m;
+    const V3 pivot = load(motion.pivot);
+    const Rotation turned = rotation(motion.start.orientation);
+    start(part, turned, pivot);
+    if (!(pivot == V3{})) arm = turned * pivot;
+    if constexpr (std::is_same_v<Part, Core>) {
+        reach = brink::reach(part) * (1 + tolerance::holding_slack);
+        if (reach == 0) turn = {};
+    }
+    if (turn.angle > 0) prepare(*this);
 }
 
-Mover<Border> mover(const Border& local, const Motion& motion)
-{
-    Mover<Border> m;
-    m.part = local;
-    start(m, motion);
-    if (m.turn.angle > 0) prepare(m);
-    return m;
-}
+template struct Mover<Core>;
+template struct Mover<Border>;
 
 } // namespace brink

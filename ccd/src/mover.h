@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core.h"
+#include "lanes.h"
 #include "trig.h"
 #include "vector.h"
 
@@ -17,41 +18,47 @@ struct Turn {
 };
 
 Turn turn(const Vec3& rotation);
-/// exp(t [rate]x)
+/// exp(t [rate]x); or by the sine and cosine of t |rate|.
 Rotation turned(const Turn&, double t);
+Rotation turned(const Turn&, SinCos);
 
-/// A vector that turns about an axis: what stays, what turns with the cosine and what with the sine.
+/// Two vectors that turn about an axis: what stays, what turns with the cosine and what with the sine.
 struct Turning {
-    V3 still, cosine, sine;
+    Turning() {} // NOLINT(modernize-use-equals-default): as in Core
+    Turning(const XYZ<Two>& vectors, const Turn&);
+    XYZ<Two> still, cosine, sine;
 
-    V3 at(SinCos a) const { return still + a.cos * cosine + a.sin * sine; }
+    XYZ<Two> at(SinCos a) const { return still + both(a.cos) * cosine + both(a.sin) * sine; }
 };
 
 /// A moving shape about its pivot: `Part` is Core (bounded) or Border (plane or half-space), in world axes at
 /// t = 0 and with the pivot as origin.
 template <class Part> struct Mover {
+    /// A shape seen from itself, on its way.
+    Mover(const Part& local, const Motion&);
+
     Part part;
     V3 position; // of the body, world
     V3 arm;      // from there to the pivot
     V3 translation;
     Turn turn;          // none where turning changes nothing: a point on its pivot
     double reach = 0;   // from the pivot to the farthest point of the core; 0 for a plane or half-space
-    Turning vectors[4]; // of a part that turns: its corners or else its axes and centre; a border's normal
+    Turning vectors[2]; // of a part that turns: its corners or else its axes and centre; a border's normal
 
     V3 pivot(double t) const { return position + (arm + t * translation); }
-    /// Puts a copy of the part where it is at t, its pivot at `at`.
-    void place(Part& copy, double t, V3 at) const;
+    /// Puts a copy of the part where it is at t, its pivot at `at`; `turned` are the sine and cosine of the
+    /// angle by then.
+    void place(Part& copy, SinCos turned, V3 at) const;
     Part turned_to(double t) const
     {
         Part copy = part;
-        place(copy, t, {});
+        place(copy, sin_cos(t * turn.angle), {});
         return copy;
     }
 };
 
-/// A shape seen from itself, on its way.
-Mover<Core> mover(const Core&, const Motion&);
-Mover<Border> mover(const Border&, const Motion&);
+static inline Mover<Core> mover(const Core& local, const Motion& m) { return {local, m}; }
+static inline Mover<Border> mover(const Border& local, const Motion& m) { return {local, m}; }
 
 static inline Core part(const Sphere& s) { return core(s); }
 static inline Core part(const Capsule& s) { return core(s); }

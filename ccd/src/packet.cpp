@@ -13,9 +13,26 @@ namespace {
 /// A path this many radii long is looked at apart from its box.
 constexpr float long_path = 8;
 
+/// A packet is dense if its bound is at most this many of its boxes long.
+constexpr float filling = 6;
+
 float magnitude(const Balls& b, int lane)
 {
     return std::fabs(b.by[0][lane]) + std::fabs(b.by[1][lane]) + std::fabs(b.by[2][lane]);
+}
+
+/// Whether boxes are not much smaller than their bound along each axis.
+bool fill(const Boxes& boxes, const Box3f& bound)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        float sum = 0;
+        for (int lane = 0; lane < lanes; ++lane) {
+            const float length = boxes.max[axis][lane] - boxes.min[axis][lane];
+            sum += length > 0 ? length : 0;
+        }
+        if (!(filling * sum >= lanes * (bound.max[axis] - bound.min[axis]))) return false;
+    }
+    return true;
 }
 
 void grow(Boxes& boxes, float by)
@@ -86,19 +103,21 @@ void make_packet(Packet& p, const BlockTree& tree, std::uint32_t leaf, const Pla
 {
     const std::size_t first = std::size_t{lanes} * leaf;
     p.boxes = tree.levels[0][leaf];
-    p.balls = tree.balls[leaf];
     p.held = tree.held(leaf);
     p.least = tree.least[0][leaf];
     p.far = 0;
-    for (int lane = 0; lane < lanes; ++lane) {
-        p.slots[lane] = tree.slots[first + static_cast<std::size_t>(lane)];
-        p.far |= static_cast<Mask>(magnitude(p.balls, lane) > long_path * p.balls.radius[lane]) << lane;
+    std::copy_n(tree.slots.begin() + static_cast<std::ptrdiff_t>(first), lanes, p.slots);
+    if (plan.rules.balls) {
+        p.balls = tree.balls[leaf];
+        for (int lane = 0; lane < lanes; ++lane)
+            p.far |= static_cast<Mask>(magnitude(p.balls, lane) > long_path * p.balls.radius[lane]) << lane;
+        p.far &= p.held;
     }
-    p.far &= plan.rules.balls ? p.held : 0;
     if (plan.grown > 0) grow(p.boxes, plan.rules.grown);
     if (plan.rules.balls && plan.rules.late && plan.rules.until < 1)
         cut_off(p.boxes, p.balls, plan.rules.until, plan.rules.grown);
     p.bound = bound_of(p.boxes);
+    p.dense = p.far == 0 && fill(p.boxes, p.bound);
 }
 
 Packet packet_of(const Sweep& sweep, const Plan& plan)
@@ -118,10 +137,10 @@ Packet packet_of(const Sweep& sweep, const Plan& plan)
     return p;
 }
 
-void drop_what_need_not_be_asked(Chunk& chunk, const BodyStore& store, const Plan& plan, bool picky)
+void drop_what_need_not_be_asked(Chunk& chunk, const BodyStore& store, const Plan& plan)
 {
     const bool meets_all = plan.category != 0 && plan.mask == 0xffffffff;
-    if (!picky && !plan.filter && !plan.rest_pairs && meets_all) return;
+    if (store.picky == 0 && !plan.filter && !plan.rest_pairs && meets_all) return;
     Candidates& all = chunk.candidates;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.count; ++i) {

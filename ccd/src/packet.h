@@ -12,7 +12,7 @@ void make_packet(Packet&, const BlockTree&, std::uint32_t leaf, const Plan&);
 Packet packet_of(const Sweep&, const Plan&);
 
 /// Takes out of a chunk's candidates, and counts, those that rest, masks or the filter settle.
-void drop_what_need_not_be_asked(Chunk&, const BodyStore&, const Plan&, bool picky);
+void drop_what_need_not_be_asked(Chunk&, const BodyStore&, const Plan&);
 
 /// Whether such a pair meets at all, whatever layers are switched off.
 bool meets(const Candidate&, const BodyStore&, const Plan&);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 #include <utility>
 
@@ -89,6 +90,53 @@ void radix_sort(std::vector<PlaceSorting::Key>& keys, std::vector<PlaceSorting::
     }
 }
 
+/// Bodies that come after each other on the curve and are put in better order among themselves.
+constexpr std::size_t group = 4096;
+
+struct Spot {
+    float at[3];
+    std::uint32_t slot;
+};
+
+/// Halves a group, at a power of two, across its longest axis, down to what one leaf holds.
+void halve(std::span<Spot> spots)
+{
+    if (spots.size() <= lanes) return;
+    std::array<float, 3> low{spots[0].at[0], spots[0].at[1], spots[0].at[2]}, high = low;
+    for (const Spot& spot : spots) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], spot.at[axis]);
+            high[axis] = std::max(high[axis], spot.at[axis]);
+        }
+    }
+    std::size_t longest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+        if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+    const std::size_t left = std::bit_ceil((spots.size() + 1) / 2);
+    std::nth_element(spots.begin(), spots.begin() + static_cast<std::ptrdiff_t>(left), spots.end(),
+                     [=](const Spot& x, const Spot& y) {
+                         return x.at[longest] != y.at[longest] ? x.at[longest] < y.at[longest]
+                                                               : x.slot < y.slot;
+                     });
+    halve(spots.first(left));
+    halve(spots.subspan(left));
+}
+
+void halve(std::span<PlaceSorting::Key> keys, const BodyStore& store, V3 low)
+{
+    std::array<Spot, group> spots;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const V3 at = midway(store.bodies[keys[i].slot]) - low;
+        const auto place = [](double x) {
+            return x * 0 == 0 ? static_cast<float>(std::clamp(x, -1e30, 1e30)) : 0;
+        };
+        spots[i] = {{place(at.x), place(at.y), place(at.z)}, keys[i].slot};
+    }
+    halve({spots.data(), keys.size()});
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        keys[i].slot = spots[i].slot;
+}
+
 } // namespace
 
 void sort_by_place(PlaceSorting& sorting, const BodyStore& store)
@@ -112,6 +160,12 @@ void sort_by_place(PlaceSorting& sorting, const BodyStore& store)
     sorting.other.reserve(keys.size());
     sorting.other.resize(keys.size());
     radix_sort(keys, sorting.other);
+    for_each_part((keys.size() + group - 1) / group,
+                  [&](std::size_t i) {
+                      const std::size_t end = std::min(keys.size(), group * (i + 1));
+                      halve(std::span{keys}.subspan(group * i, end - group * i), store, low);
+                  },
+                  1);
 }
 
 V3 origin_for(const BodyStore& store, V3 present)

@@ -5,6 +5,7 @@
 #include "sweep.h"
 #include "tolerance.h"
 
+#include <atomic>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,43 @@ void refuse_while_asked(const SceneData& data)
 {
     if (data.busy)
         throw std::logic_error("brink::Scene: changed or asked from within one of its own queries");
+}
+
+/// Bodies are asked of memory this many before they are needed.
+constexpr std::size_t ahead = 8;
+
+/// That all are there and none is named twice. Returns how many are not among the movers.
+std::size_t check_named(const BodyStore& store, BroadPhase& broad, std::span<const BodyId> bodies)
+{
+    std::size_t others = 0, named = 0;
+    const auto forget = [&] {
+        for (const BodyId id : bodies.first(named))
+            broad.forget_name(store.slots[id]);
+    };
+    for (const BodyId id : bodies) {
+        if (!store.contains(id) || !broad.name(store.slots[id])) break;
+        others += broad.is_mover(store.slots[id]) ? 0 : 1;
+        ++named;
+    }
+    forget();
+    if (named == bodies.size()) return others;
+    store.slot(bodies[named]); // throws where there is no such body
+    throw std::invalid_argument("brink::Scene: set_motions names body " + std::to_string(bodies[named]) +
+                                " twice");
+}
+
+void check_motions(const BodyStore& store, std::span<const BodyId> bodies, std::span<const Motion> motions)
+{
+    std::atomic<std::size_t> bad = bodies.size(); // the first of them
+    for_each_part(bodies.size(), [&](std::size_t i) {
+        if (i + ahead < bodies.size()) store.fetch(store.slots[bodies[i + ahead]]);
+        if (fits(motions[i], store.bodies[store.slots[bodies[i]]])) return;
+        std::size_t first = bad.load();
+        while (i < first && !bad.compare_exchange_weak(first, i)) {
+        }
+    });
+    if (bad == bodies.size()) return;
+    check(motions[bad], store.bodies[store.slots[bodies[bad]]], bodies[bad]);
 }
 
 } // namespace
@@ -62,13 +100,19 @@ void Scene::set_motions(std::span<const BodyId> bodies, std::span<const Motion> 
                                     std::to_string(motions.size()) +
                                     " motions: set_motions takes one for each");
     BodyStore& store = data_->store;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        check(motions[i], store.bodies[store.slot(bodies[i])], bodies[i]);
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    BroadPhase& broad = data_->broad;
+    const std::size_t at_rest = check_named(store, broad, bodies);
+    check_motions(store, bodies, motions);
+    for_each_part(bodies.size(), [&](std::size_t i) {
+        if (i + ahead < bodies.size()) store.fetch(store.slots[bodies[i + ahead]]);
         const std::uint32_t slot = store.slots[bodies[i]];
         store.bodies[slot].motion = motions[i];
-        data_->broad.moved(slot, store);
-    }
+        if (broad.is_mover(slot)) broad.moved(slot, store);
+    });
+    for (std::size_t i = 0; at_rest > 0 && i < bodies.size(); ++i)
+        if (const std::uint32_t slot = store.slots[bodies[i]]; !broad.is_mover(slot))
+            broad.moved(slot, store);
+    broad.refit_later();
 }
 
 void Scene::sleep(BodyId id)

@@ -95,6 +95,11 @@ std::string name(BodyId id) { return joined("body ", id, ": "); }
 
 } // namespace
 
+bool fits(const Motion& m, const Body& of)
+{
+    return valid(of.shape, m) && (!at_rest(of) || (load(m.translation) == V3{} && load(m.rotation) == V3{}));
+}
+
 void check(const Motion& m, const Body& of, BodyId id)
 {
     if (!valid(of.shape, m)) check_valid(name(id), of.shape, m);

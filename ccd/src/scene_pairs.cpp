@@ -56,14 +56,14 @@ std::span<const BodyPair> Scene::overlapping(const SceneOptions& options)
     return data.pairs;
 }
 
-std::span<const BodyPair> Scene::candidates()
+std::span<const BodyPair> Scene::candidates(Bounds bounds)
 {
     SceneData& data = *data_;
     const Asking asking(data);
     Plan plan = asking.plan({});
     plan.grown = 0;
     plan.rules.grown = 0;
-    plan.rules.balls = false;
+    plan.rules.balls = bounds == Bounds::balls;
     std::size_t count = 0;
     data.search.run(
         data.store, data.broad, plan,

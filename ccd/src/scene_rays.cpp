@@ -43,8 +43,10 @@ bool earlier(const RayImpact& x, const RayImpact& y)
     return x.hit.t != y.hit.t ? x.hit.t < y.hit.t : x.body < y.body;
 }
 
+enum class Wanted : unsigned char { first, all };
+
 /// Puts what the ray meets into data.rays: all, or only the first of them.
-void cast_ray(SceneData& data, const Ray& ray, const bool first)
+void cast_ray(SceneData& data, const Ray& ray, Wanted wanted)
 {
     const Asking asking(data);
     Plan plan = asking.plan(ray.options);
@@ -65,7 +67,7 @@ void cast_ray(SceneData& data, const Ray& ray, const bool first)
     data.rays.clear();
     Asked asked;
     const auto look = [&](const Candidate& c) {
-        const bool known = first && !data.rays.empty();
+        const bool known = wanted == Wanted::first && !data.rays.empty();
         if (known && static_cast<double>(c.t) * end > data.rays.front().hit.t) {
             ++asked.late;
             return;
@@ -101,7 +103,7 @@ RayImpact Scene::ray_cast(const Vec3& origin, const Vec3& direction, double t_ma
 {
     check(options);
     check_ray(origin, direction, t_max);
-    cast_ray(*data_, {origin, direction, t_max, options}, true);
+    cast_ray(*data_, {origin, direction, t_max, options}, Wanted::first);
     if (!data_->rays.empty()) return data_->rays.front();
     RayImpact none;
     none.hit.status = Status::separated;
@@ -114,7 +116,7 @@ std::span<const RayImpact> Scene::ray_cast_all(const Vec3& origin, const Vec3& d
 {
     check(options);
     check_ray(origin, direction, t_max);
-    cast_ray(*data_, {origin, direction, t_max, options}, false);
+    cast_ray(*data_, {origin, direction, t_max, options}, Wanted::all);
     std::sort(data_->rays.begin(), data_->rays.end(),
               [](const RayImpact& x, const RayImpact& y) { return earlier(x, y); });
     return data_->rays;

@@ -60,7 +60,6 @@ void Search::begin(const BodyStore& store, const BroadPhase& broad, const Plan& 
     pending_.clear();
     round_ = 0;
     fresh_ = 0;
-    picky_ = store.picky > 0;
     unbounded_move_ = std::any_of(broad.unbounded.begin(), broad.unbounded.end(),
                                   [&](std::uint32_t slot) { return !at_rest(store.bodies[slot]); });
     mover_leaves_ = static_cast<std::uint32_t>(broad.movers.leaves());
@@ -134,10 +133,10 @@ void Search::find(Chunk& chunk, const BodyStore& store, const BroadPhase& broad,
                             plan.rules, to, chunk.counts);
             if (stop == no_leaf) continue;
             item.next = stop;
-            return drop_what_need_not_be_asked(chunk, store, plan, picky_);
+            return drop_what_need_not_be_asked(chunk, store, plan);
         }
     }
-    drop_what_need_not_be_asked(chunk, store, plan, picky_);
+    drop_what_need_not_be_asked(chunk, store, plan);
 }
 
 void Search::end_finding()

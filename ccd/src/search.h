@@ -112,8 +112,7 @@ private:
     std::vector<Item> pending_; // unfinished, the next one last
     std::uint64_t fresh_ = 0, fresh_count_ = 0, stride_ = 1;
     std::uint32_t mover_leaves_ = 0, resting_leaves_ = 0;
-    bool unbounded_move_ = false, picky_ = false;
-    float grown_ = 0;
+    bool unbounded_move_ = false;
 };
 
 } // namespace brink

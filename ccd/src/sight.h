@@ -11,6 +11,7 @@ namespace brink {
 
 /// What a look at two bodies shows.
 struct Sight {
+    Sight() {}               // NOLINT(modernize-use-equals-default): as in Core
     TurningAxis axis;        // as their features ask for; zero where they ask for none
     V3 normal;               // the axis of the distance itself; zero where none was found
     bool guessed = false;    // the axis' spin is a guess: other ones may do better

@@ -71,15 +71,6 @@ template <class A, class B> Toi hit_at(const Query& q, double t, double t_upper)
 
 template <class A, class B> Toi solve_turning(const Query& q);
 
-template <class T, class... Ts> constexpr bool is_one_of = (std::is_same_v<T, Ts> || ...);
-
-/// Whether exact numbers can settle what rounding leaves in doubt (exact_contact.h).
-template <class A, class B>
-constexpr bool in_whole_numbers = (is_one_of<A, Sphere> && is_one_of<B, Sphere, Capsule, Box, Triangle>) ||
-                                  (is_one_of<A, Capsule> && is_one_of<B, Capsule>) ||
-                                  (is_one_of<A, Sphere, Capsule, Box, Triangle> &&
-                                   is_one_of<B, Plane, HalfSpace>);
-
 /// What a closed form left in doubt: for the advancement where there are no exact numbers; else a start that
 /// witnesses prove in contact is left to it, and exact numbers tell the rest. What they cannot hold is a hit.
 template <class A, class B> [[gnu::noinline]] Toi settle(const Query& q, const Approach& m, const Entry& e)
@@ -132,12 +123,12 @@ bool begins_in_contact(const Query& q)
     return exact_contact({q.a, a, q.b, b, at_start}).status != Status::separated;
 }
 
-template <class A, class B> Toi solve_turning(const Query& q)
+/// By advancement, in lengths times 2^e.
+template <class A, class B> Toi solve_turning(const Query& q, int e)
 {
     const auto a = part(as<A>(q.a));
     const auto b = part(as<B>(q.b));
     const StartOracle oracle{*q.given, in_whole_numbers<A, B> ? &begins_in_contact : nullptr};
-    const int e = exponent_to_usual(as<A>(q.a), as<B>(q.b), q);
     if (e != 0) {
         const auto near_a = mover(scaled(a, e), scaled(q.motion_a, e));
         const auto near_b = mover(scaled(b, e), scaled(q.motion_b, e));
@@ -146,6 +137,19 @@ template <class A, class B> Toi solve_turning(const Query& q)
     if (never_near(a, q.motion_a, b, q.motion_b, q.options)) return plain(Status::separated, q.options.t_max);
     return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options, oracle);
 }
+template <class A, class B> Toi solve_turning(const Query& q)
+{
+    return solve_turning<A, B>(q, exponent_to_usual(as<A>(q.a), as<B>(q.b), q));
+}
+
+template <class A, class B>
+[[gnu::noinline]] Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
+                            const Options& options)
+{
+    const Query q{a, motion_a, b, motion_b, options};
+    if (usual_turning<A, B>(q)) return solve_turning<A, B>(q, 0);
+    return valid<A, B>(q) ? solve_turning<A, B>(q) : Toi{};
+}
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>
 [[gnu::noinline]] Toi solve_with_care(const Query& q)
@@ -153,7 +157,6 @@ template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)
     if (!valid<A, B>(q)) return {};
     const A& a = as<A>(q.a);
     const B& b = as<B>(q.b);
-    if (turns(a, q.motion_a) || turns(b, q.motion_b)) return solve_turning<A, B>(q);
     const Approach m = approach(q);
     const int exponent = exponent_to_usual(a, b, q, m);
     if (exponent == 0) return solve_translation<A, B, kernel>(q, m);
@@ -167,6 +170,8 @@ template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)
 Toi solve_exactly(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
                   const Options& options)
 {
+    if (!all(!seen_turning(as<A>(a), motion_a), !seen_turning(as<B>(b), motion_b)))
+        return solve<A, B>(a, motion_a, b, motion_b, options);
     const Query q{a, motion_a, b, motion_b, options};
     const Approach m = approach(q);
     const bool clear = all(of_usual_scale(lengths<A, B>(q, m)), usual(options),
@@ -190,25 +195,19 @@ template <class A, class B>
 Toi solve_by_casting(const Shape& shape_a, const Motion& motion_a, const Shape& shape_b,
                      const Motion& motion_b, const Options& options)
 {
-    const Query q{shape_a, motion_a, shape_b, motion_b, options};
-    if (!valid<A, B>(q)) return {};
     const A& a = as<A>(shape_a);
     const B& b = as<B>(shape_b);
+    if (turns(a, motion_a) || turns(b, motion_b))
+        return solve<A, B>(shape_a, motion_a, shape_b, motion_b, options);
+    const Query q{shape_a, motion_a, shape_b, motion_b, options};
+    if (!valid<A, B>(q)) return {};
     const int e = exponent_to_usual(a, b, q, approach(q));
-    if (turns(a, motion_a) || turns(b, motion_b) || !can_be_scaled(q, e)) return solve_turning<A, B>(q);
+    if (!can_be_scaled(q, e)) return solve_turning<A, B>(q);
     if (e == 0) return cast_cores<A, B>(part(a), part(b), q, 0);
     const Motion near_a = scaled(motion_a, e), near_b = scaled(motion_b, e);
     const Options near = scaled(options, e);
     return cast_cores<A, B>(scaled(part(a), e), scaled(part(b), e),
                             {shape_a, near_a, shape_b, near_b, near, &q}, e);
-}
-
-template <class A, class B>
-Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
-          const Options& options)
-{
-    const Query q{a, motion_a, b, motion_b, options};
-    return valid<A, B>(q) ? solve_turning<A, B>(q) : Toi{};
 }
 
 Toi solve_nothing(const Shape&, const Motion&, const Shape&, const Motion&, const Options&) { return {}; }

@@ -11,6 +11,7 @@ namespace brink {
 /// common frame. Radii only ever appear as a sum.
 struct Core {
     enum class Kind : unsigned char { point, segment, triangle, box, hull, cylinder, cone, ellipsoid };
+    Core() {} // NOLINT(modernize-use-equals-default): of a constant g++ makes a slow `rep stos`
     Kind kind = Kind::point;
     int count = 1; // corners; 0 where there is no end of them: cylinder, cone and ellipsoid
     V3 points[3];  // the corners of a point, segment or triangle

@@ -147,7 +147,8 @@ Witness ExpandingPolytope::around(V3 point) const
         const Face& f = faces_[i];
         const double above = dot(f.normal, point) - f.offset;
         if (!(above * above < least)) continue;
-        Simplex s{3, {}};
+        Simplex s;
+        s.size = 3;
         for (int k = 0; k < 3; ++k) {
             s.corners[k] = corners_[f.corner[k]];
             s.corners[k].w = s.corners[k].w - point;

@@ -8,6 +8,7 @@ namespace brink {
 
 /// Where two cores come nearest, radii left out, as far as GJK could tell.
 struct Closest {
+    Closest() {}              // NOLINT(modernize-use-equals-default): as in Core
     bool certain = false;     // lower and upper bound of the distance agree within the slack asked for
     bool inside = false;      // the simplex of four holds the origin, rounding left out: the cores overlap
     V3 point_a;               // on A, always: upper bounds of the distance come from points

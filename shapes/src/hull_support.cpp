@@ -9,6 +9,8 @@ namespace {
 /// Up to so many corners looking at all of them is quicker than walking from one to the next.
 constexpr int most_scanned = 64;
 
+std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
 /// The highest corners so far, two side by side, and which those are.
 struct Top {
     Two height = both(-infinity), corner{};
@@ -20,30 +22,66 @@ struct Top {
     }
 };
 
-/// Of all corners: by two, each with its own best, so that nothing waits for the step before.
-int scan(const HullData& h, V3 d)
+/// Of the corners looked at by four: each place among four with its own best, so that nothing waits for the
+/// step before.
+struct Tops {
+    Top even, odd;
+};
+
+Two heights(const HullData& h, V3 d, int k)
+{
+    return dot(XYZ<Two>{load_two(&h.x[at(k)]), load_two(&h.y[at(k)]), load_two(&h.z[at(k)])}, both(d));
+}
+
+Tops by_two(const HullData& h, const V3& d)
+{
+    Tops t;
+    Two corners{0, 1};
+    for (int k = 0; k + 4 <= h.count(); k += 4) {
+        t.even.look(heights(h, d, k), corners);
+        t.odd.look(heights(h, d, k + 2), corners + both(2));
+        corners = corners + both(4);
+    }
+    return t;
+}
+
+#ifdef __x86_64__
+/// The same, bit for bit, in one wide register.
+[[gnu::target("avx2")]] Tops by_four(const HullData& h, const V3& d)
+{
+    const double *x = h.x.data(), *y = h.y.data(), *z = h.z.data();
+    const __m256d dx = _mm256_set1_pd(d.x), dy = _mm256_set1_pd(d.y), dz = _mm256_set1_pd(d.z);
+    __m256d height = _mm256_set1_pd(-infinity), corner{}, corners{0, 1, 2, 3};
+    for (int k = 0; k + 4 <= h.count(); k += 4) {
+        const __m256d other =
+            _mm256_loadu_pd(x + k) * dx + _mm256_loadu_pd(y + k) * dy + _mm256_loadu_pd(z + k) * dz;
+        corner = _mm256_blendv_pd(corner, corners, _mm256_cmp_pd(other, height, _CMP_GT_OQ));
+        height = _mm256_max_pd(other, height);
+        corners += 4;
+    }
+    return {Top{_mm256_castpd256_pd128(height), _mm256_castpd256_pd128(corner)},
+            Top{_mm256_extractf128_pd(height, 1), _mm256_extractf128_pd(corner, 1)}};
+}
+bool has_four() { return __builtin_cpu_supports("avx2") != 0; }
+#else
+Tops by_four(const HullData& h, const V3& d) { return by_two(h, d); }
+bool has_four() { return false; }
+#endif
+
+/// Of all corners.
+int scan(const HullData& h, const V3& d)
 {
     const int count = h.count();
-    const XYZ<Two> way = both(d);
-    const double *x = h.x.data(), *y = h.y.data(), *z = h.z.data();
-    const auto heights = [&](int k) {
-        return dot(XYZ<Two>{load_two(x + k), load_two(y + k), load_two(z + k)}, way);
-    };
-    Top even, odd;
-    Two at{0, 1};
-    int k = 0;
-    for (; k + 4 <= count; k += 4) {
-        even.look(heights(k), at);
-        odd.look(heights(k + 2), at + both(2));
-        at = at + both(4);
-    }
-    if (k + 2 <= count) even.look(heights(k), at), k += 2;
+    auto [even, odd] = has_four() ? by_four(h, d) : by_two(h, d);
+    int k = count & ~3;
+    if (k + 2 <= count) even.look(heights(h, d, k), Two{0, 1} + both(k)), k += 2;
     const TwoFlags later = odd.height > even.height;
     const Two height = select(later, odd.height, even.height),
               corner = select(later, odd.corner, even.corner);
-    const bool second = height[1] > height[0];
-    const double highest = second ? height[1] : height[0];
-    const int best = static_cast<int>(second ? corner[1] : corner[0]);
+    const Two other = both(height[1]); // no branch here: nobody can predict it
+    const TwoFlags second = other > height;
+    const double highest = larger(other, height)[0];
+    const int best = static_cast<int>(select(second, both(corner[1]), corner)[0]);
     if (k < count && dot(h.corner(k), d) > highest) return k;
     return best;
 }
@@ -65,7 +103,6 @@ int sample(const HullData& h, V3 d, int stride)
 /// rounding lead round in a circle, it is a scan after all.
 int climb(const HullData& h, V3 d)
 {
-    const auto at = [&](int k) { return static_cast<std::size_t>(k); };
     int top = sample(h, d, h.count() / most_scanned);
     for (int step = 0; step < h.count(); ++step) {
         const V3 corner = h.corner(top);

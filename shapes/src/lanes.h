@@ -20,6 +20,8 @@ using TwoFlags = long long __attribute__((vector_size(16)));
 static inline Two both(double value) { return Two{value, value}; }
 static inline XYZ<Two> both(V3 v) { return {both(v.x), both(v.y), both(v.z)}; }
 static inline XYZ<Two> pair(V3 a, V3 b) { return {Two{a.x, b.x}, Two{a.y, b.y}, Two{a.z, b.z}}; }
+static inline V3 first(XYZ<Two> v) { return {v.x[0], v.y[0], v.z[0]}; }
+static inline V3 second(XYZ<Two> v) { return {v.x[1], v.y[1], v.z[1]}; }
 
 /// Two that lie side by side in memory.
 static inline Two load_two(const double* p)
@@ -36,12 +38,13 @@ static inline Two magnitude(Two v)
     return reinterpret_cast<Two>(reinterpret_cast<TwoFlags>(v) & ~reinterpret_cast<TwoFlags>(both(-0.0)));
 }
 
-/// -v where `way` is positive, v where it is negative.
-static inline Two against(Two v, Two way)
+/// v where `way` is positive, -v where it is negative.
+static inline Two along(Two v, Two way)
 {
     const TwoFlags sign = reinterpret_cast<TwoFlags>(way) & reinterpret_cast<TwoFlags>(both(-0.0));
-    return reinterpret_cast<Two>(reinterpret_cast<TwoFlags>(-v) ^ sign);
+    return reinterpret_cast<Two>(reinterpret_cast<TwoFlags>(v) ^ sign);
 }
+static inline Two against(Two v, Two way) { return along(-v, way); }
 
 /// The first where it is larger or smaller, else the second; so the second where either is NaN.
 static inline Two larger(Two a, Two b)
@@ -79,6 +82,8 @@ static inline Two square_root(Two v)
     return Two{std::sqrt(v[0]), std::sqrt(v[1])};
 #endif
 }
+
+static inline Two norm(XYZ<Two> v) { return square_root(norm_squared(v)); }
 
 /// What a b differs from `product`, its rounding, by (Dekker 1971): the same bits with and without fused
 /// multiply-add hardware, because it is exact either way.

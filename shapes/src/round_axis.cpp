@@ -73,8 +73,9 @@ private:
 };
 
 Chart::Chart(const Core& a, const Core& b, V3 axis, double size)
-    : a_(a), b_(b), axis_(axis), size_(size), here_(support(axis)), nearest_{1, {here_}}
+    : a_(a), b_(b), axis_(axis), size_(size), here_(support(axis))
 {
+    nearest_.add(here_);
     const V3 e = any_perpendicular(axis), f = cross(axis, e);
     const V3 by_e = ends(e, apart).line(), by_f = ends(f, apart).line();
     const double scale = 0.5 / apart, ee = scale * dot(by_e, e), ff = scale * dot(by_f, f);

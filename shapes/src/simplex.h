@@ -18,6 +18,8 @@ struct Simplex {
     int size = 0;
     Corner corners[4];
 
+    Simplex() {} // NOLINT(modernize-use-equals-default): as in Core
+
     /// The point that the weights stand for.
     [[nodiscard]] V3 point() const;
     /// The same, after reduce(), but from the line or plane of its corners: true in direction where it is

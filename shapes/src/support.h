@@ -14,17 +14,22 @@ static inline bool is_polytope(const Core& c) { return c.count > 0; }
 /// Whether its features are few enough to be looked at one by one: at most those of a box.
 static inline bool is_simple(const Core& c) { return c.kind <= Core::Kind::box; }
 
+/// A box's corner; without branches, as which corner it is can hardly be predicted.
+static inline V3 box_corner(const Core& c, int k)
+{
+    constexpr double side[2] = {-1, 1};
+    const V3 h = c.half_extents;
+    const V3 on_x = c.centre + side[k & 1] * h.x * c.axes.x;
+    const V3 on_y = on_x + side[k >> 1 & 1] * h.y * c.axes.y;
+    return on_y + side[k >> 2 & 1] * h.z * c.axes.z;
+}
+
 /// Corner k of a polytope, placed, 0 <= k < count. A box's has +x where k & 1, +y where k & 2, +z where
 /// k & 4, else -.
 static inline V3 corner(const Core& c, int k)
 {
-    const auto bit = static_cast<unsigned>(k);
     if (c.kind == Core::Kind::hull) return c.axes * c.hull->corner(k) + c.centre;
-    if (c.kind != Core::Kind::box) return c.points[k];
-    const V3 h = c.half_extents;
-    const V3 on_x = c.centre + ((bit & 1U) != 0 ? h.x : -h.x) * c.axes.x;
-    const V3 on_y = on_x + ((bit & 2U) != 0 ? h.y : -h.y) * c.axes.y;
-    return on_y + ((bit & 4U) != 0 ? h.z : -h.z) * c.axes.z;
+    return c.kind == Core::Kind::box ? box_corner(c, k) : c.points[k];
 }
 
 /// A point of a core, and which corner it is: -1 for shapes that have none.
@@ -39,11 +44,8 @@ static inline SupportPoint farthest(const Core& c, V3 d)
     using enum Core::Kind;
     if (c.kind == box) {
         const double x = dot(c.axes.x, d), y = dot(c.axes.y, d), z = dot(c.axes.z, d);
-        const V3 h = c.half_extents;
-        const int k = (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0) + (z > 0 ? 4 : 0);
-        const V3 on_x = c.centre + (x > 0 ? h.x : -h.x) * c.axes.x;
-        const V3 on_y = on_x + (y > 0 ? h.y : -h.y) * c.axes.y;
-        return {on_y + (z > 0 ? h.z : -h.z) * c.axes.z, k};
+        const int k = static_cast<int>(x > 0) + 2 * static_cast<int>(y > 0) + 4 * static_cast<int>(z > 0);
+        return {box_corner(c, k), k};
     }
     if (c.kind == hull) {
         const int k = farthest(*c.hull, into(c.axes, d));

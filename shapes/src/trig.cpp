@@ -2,6 +2,7 @@
 #include "trig.h"
 
 #include "exact.h"
+#include "lanes.h"
 
 #include <cmath>
 
@@ -32,41 +33,38 @@ Reduced reduce(double angle)
     return {sum, static_cast<int>(turns - 4 * std::floor(turns / 4))};
 }
 
-// The Taylor series, whose remainders at pi/4 are below 2^-63 and 2^-59 of the result.
-double sine(Pair x)
+// The Taylor series, whose remainders at pi/4 are below 2^-63 and 2^-59 of the result; T is double or Two.
+template <class T> T sine(T hi, T lo)
 {
-    const double s = x.hi * x.hi;
-    const double p =
+    const T s = hi * hi;
+    const T p =
         s * (-1.0 / 6 +
              s * (1.0 / 120 +
                   s * (-1.0 / 5040 + s * (1.0 / 362880 +
                                           s * (-1.0 / 39916800 + s * (1.0 / 6227020800 +
                                                                       s * (-1.0 / 1307674368000 +
                                                                            s * (1.0 / 355687428096000))))))));
-    return x.hi + (x.hi * p + x.lo * (1 - 0.5 * s));
+    return hi + (hi * p + lo * (1 - 0.5 * s));
 }
 
-double cosine(Pair x)
+template <class T> T cosine(T hi, T lo)
 {
-    const Pair square = two_product(x.hi, x.hi);
-    const double s = square.hi;
-    const double p =
+    const auto square = two_product(hi, hi);
+    const T s = square.hi;
+    const T p =
         s * s *
         (1.0 / 24 + s * (-1.0 / 720 +
                          s * (1.0 / 40320 + s * (-1.0 / 3628800 +
                                                  s * (1.0 / 479001600 + s * (-1.0 / 87178291200 +
                                                                              s * (1.0 / 20922789888000)))))));
-    const Pair first = two_difference(1, 0.5 * s);
-    return first.hi + (first.lo + (p - 0.5 * square.lo - x.hi * x.lo));
+    const auto first = two_sum(T{} + 1, -0.5 * s);
+    return first.hi + (first.lo + (p - 0.5 * square.lo - hi * lo));
 }
 
-} // namespace
-
-SinCos sin_cos(double angle)
+/// Those of an angle that so many quarter turns were taken off.
+SinCos turned_on(double s, double c, int quarter)
 {
-    const Reduced r = reduce(angle);
-    const double s = sine(r.angle), c = cosine(r.angle);
-    switch (r.quarter) {
+    switch (quarter) {
     case 0:
         return {s, c};
     case 1:
@@ -76,6 +74,22 @@ SinCos sin_cos(double angle)
     default:
         return {-c, s};
     }
+}
+
+} // namespace
+
+SinCos sin_cos(double angle)
+{
+    const auto [x, quarter] = reduce(angle);
+    return turned_on(sine(x.hi, x.lo), cosine(x.hi, x.lo), quarter);
+}
+
+TwoSinCos sin_cos(double first, double second)
+{
+    const Reduced a = reduce(first), b = reduce(second);
+    const Two hi{a.angle.hi, b.angle.hi}, lo{a.angle.lo, b.angle.lo};
+    const Two s = sine(hi, lo), c = cosine(hi, lo);
+    return {turned_on(s[0], c[0], a.quarter), turned_on(s[1], c[1], b.quarter)};
 }
 
 double angle_of(SinCos d)

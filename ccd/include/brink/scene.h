@@ -30,7 +30,8 @@ struct Body {
 
 struct SceneOptions {
     Options pair{}; // what time_of_impact is asked for every pair
-    /// Pairs that may be decided exactly. Of those beyond only their swept spheres are told.
+    /// Pairs that may be decided exactly; of those beyond only their swept spheres are told, and the first impact
+    /// need not be that of the lowest ids of all at its time.
     std::size_t max_tests = static_cast<std::size_t>(-1);
     /// Of a shape that is cast and of a ray; a body's own say all else.
     std::uint32_t category = 1, mask = 0xffffffff;
@@ -66,6 +67,12 @@ struct SafeTime {
 struct RayImpact {
     BodyId body = no_body;
     RayHit hit{};
+};
+
+/// What a broad phase goes by.
+enum class Bounds : unsigned char {
+    boxes, // swept_bounds over the whole step
+    balls, // and the balls around the bodies as they travel: what impacts() asks exactly
 };
 
 struct SceneData;
@@ -143,9 +150,9 @@ public:
 
     /// The pairs that overlap at t = 0, ordered; touching is overlapping.
     std::span<const BodyPair> overlapping(const SceneOptions& = {});
-    /// The pairs whose swept_bounds overlap, in no particular order (but always the same): what a broad phase
-    /// alone hands on.
-    std::span<const BodyPair> candidates();
+    /// What a broad phase alone hands on, in no particular order (but always the same): the pairs whose bounds
+    /// meet. Planes and half-spaces are told apart from others by the balls.
+    std::span<const BodyPair> candidates(Bounds = Bounds::boxes);
 
     /// The first body at t = 0 that the ray meets (of equals the lowest id), t in lengths of `direction`;
     /// hit.status is separated where there is none.

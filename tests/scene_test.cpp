@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "random.h"
+#include "scene_brute.h"
+#include "scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#if BRINK_HAVE_TBB
+#include <tbb/task_arena.h>
+#endif
+
+using namespace brink;
+using support::Random;
+using support::same;
+using support::SceneModel;
+
+namespace {
+
+SceneModel draw(std::string_view name, std::size_t n, std::uint64_t seed)
+{
+    return {support::draw_scene(name, n, seed).bodies, std::vector<bool>(n, false), {}};
+}
+
+void check_equal(Scene& scene, const SceneModel& model)
+{
+    const std::vector<Impact> want = model.impacts();
+    const Impacts got = scene.impacts();
+    REQUIRE(got.found.size() == want.size());
+    for (std::size_t i = 0; i < want.size(); ++i)
+        CHECK(same(got.found[i], want[i]));
+}
+
+/// One change to the scene and the same to the model.
+void change(Random& random, Scene& scene, SceneModel& model)
+{
+    const auto id = static_cast<BodyId>(random.index(static_cast<int>(model.bodies.size())));
+    Body body = model.bodies[id];
+    const int what = random.index(6);
+    if (model.gone[id] || what == 0) {
+        body.motion.start.position += random.in_cube(0.3);
+        model.bodies.push_back(body);
+        model.gone.push_back(false);
+        CHECK(scene.add(body) == model.bodies.size() - 1);
+        return;
+    }
+    if (what == 1) {
+        scene.remove(id);
+        model.gone[id] = true;
+        return;
+    }
+    if (what == 2 && !body.immovable) {
+        scene.sleep(id);
+        body.asleep = true;
+        body.motion.translation = body.motion.rotation = {0, 0, 0};
+    } else if (what == 3) {
+        scene.wake(id);
+        body.asleep = false;
+    } else if (what == 4) {
+        body.motion.start.position += random.in_cube(0.5);
+        scene.set_motion(id, body.motion);
+    } else {
+        body.mask = static_cast<std::uint32_t>(1 + random.index(3));
+        body.category = static_cast<std::uint32_t>(1 + random.index(3));
+        scene.replace(id, body);
+    }
+    model.bodies[id] = body;
+}
+
+std::string message_of(const std::function<void()>& act)
+{
+    try {
+        act();
+    } catch (const std::invalid_argument& e) {
+        return e.what();
+    }
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("scene: after any changes it answers like one made anew")
+{
+    Random random(3);
+    for (const std::string_view name : support::scene_names) {
+        CAPTURE(name);
+        SceneModel model = draw(name, 120, 7);
+        Scene scene = support::scene_of(model);
+        for (int step = 0; step < 25; ++step) {
+            CAPTURE(step);
+            for (int k = random.index(12); k >= 0; --k)
+                change(random, scene, model);
+            CHECK(scene.size() == model.count());
+            check_equal(scene, model);
+        }
+    }
+}
+
+TEST_CASE("scene: bodies far away, tiny, huge or at one point are not lost")
+{
+    for (const double scale : {1e-300, 1e-30, 1e-9, 1e9, 1e30, 1e300}) {
+        for (const double offset : {0.0, 1e3, 1e7}) {
+            CAPTURE(scale);
+            CAPTURE(offset);
+            SceneModel model = draw("gas", 60, 13);
+            for (Body& b : model.bodies) {
+                b.motion.start.position = scale * (b.motion.start.position + Vec3(offset, 0, 0));
+                b.motion.translation = scale * b.motion.translation;
+                b.shape = Sphere{scale * 0.4};
+            }
+            model.bodies.push_back({Sphere{0}, {}});
+            model.bodies.push_back({Box{{0, 0, 0}}, {}});
+            model.bodies.push_back({Sphere{1e300}, {}});
+            model.gone.resize(model.bodies.size(), false);
+            Scene scene = support::scene_of(model);
+            check_equal(scene, model);
+            const std::vector<Impact> want = model.impacts();
+            REQUIRE(!want.empty());
+            CHECK(same(scene.first_impact(), want.front()));
+        }
+    }
+}
+
+TEST_CASE("scene: what is invalid is refused by name, and nothing changes")
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    SceneModel model = draw("gas", 30, 3);
+    Scene scene = support::scene_of(model);
+    scene.remove(4);
+    model.gone[4] = true;
+    Motion bad;
+    bad.translation.y() = nan;
+    const auto names = [](const std::string& text, std::initializer_list<const char*> parts) {
+        for (const char* part : parts) {
+            CAPTURE(text);
+            CHECK(text.find(part) != std::string::npos);
+        }
+    };
+    names(message_of([&] { scene.add({Sphere{-2}}); }), {"body 30", "shape.radius", "-2"});
+    names(message_of([&] { scene.set_motion(7, bad); }), {"body 7", "motion.translation", "nan"});
+    names(message_of([&] { scene.set_motion(4, {}); }), {"no body 4", "removed"});
+    names(message_of([&] { scene.remove(99); }), {"no body 99"});
+    names(message_of([&] { scene.replace(2, {Sphere{1}, {}, 0}); }), {"body 2", "category", "0"});
+    const std::vector<BodyId> ids{1, 2, 3};
+    const std::vector<Motion> motions{{}, {}, bad};
+    names(message_of([&] { scene.set_motions(ids, motions); }), {"body 3", "motion.translation"});
+    names(message_of([&] { scene.set_motions(ids, std::span(motions).first(2)); }),
+          {"3 bodies", "2 motions"});
+    Body still{Sphere{1}, {}};
+    still.immovable = true;
+    still.motion.translation = {0, 0, 1};
+    names(message_of([&] { scene.add(still); }), {"body 30", "motion.translation", "immovable"});
+    SceneOptions late;
+    late.pair.t_max = 2;
+    names(message_of([&] { scene.impacts(late); }), {"options.pair.t_max", "2"});
+    CHECK(scene.size() == 29);
+    CHECK(!scene.contains(4));
+    check_equal(scene, model);
+}
+
+TEST_CASE("scene: a visitor that changes or asks the scene is told that it must not")
+{
+    Scene scene;
+    scene.add({Sphere{1}});
+    scene.add({Sphere{1}});
+    const auto with = [&](const std::function<void()>& act) {
+        scene.visit_impacts([&](const Impact&) {
+            act();
+            return 1.0;
+        });
+    };
+    CHECK_THROWS_AS(with([&] { scene.remove(0); }), std::logic_error);
+    CHECK_THROWS_AS(with([&] { scene.impacts(); }), std::logic_error);
+    CHECK_THROWS_AS(with([&] { scene.set_motion(1, {}); }), std::logic_error);
+    CHECK(scene.size() == 2);
+    CHECK(scene.impacts().found.size() == 1);
+}
+
+#if BRINK_HAVE_TBB
+TEST_CASE("scene: the same bits on any number of threads")
+{
+    for (const std::string_view name : support::scene_names) {
+        CAPTURE(name);
+        const SceneModel model = draw(name, 3000, 17);
+        std::vector<Impact> one;
+        std::vector<SafeTime> safe;
+        Ledger ledger;
+        for (const int threads : {1, 2, 3, 4, 16}) {
+            CAPTURE(threads);
+            tbb::task_arena arena(threads);
+            arena.execute([&] {
+                Scene scene = support::scene_of(model);
+                const Impacts got = scene.impacts();
+                const Ledger now = scene.ledger();
+                if (threads == 1) {
+                    one.assign(got.found.begin(), got.found.end());
+                    ledger = now;
+                }
+                REQUIRE(got.found.size() == one.size());
+                for (std::size_t i = 0; i < one.size(); ++i)
+                    REQUIRE(same(got.found[i], one[i]));
+                CHECK(now.removed == ledger.removed);
+                CHECK(now.exact == ledger.exact);
+                const Impact first = scene.first_impact();
+                if (!one.empty()) CHECK(same(first, one.front()));
+                const std::span<const SafeTime> times = scene.safe_times();
+                if (threads == 1) safe.assign(times.begin(), times.end());
+                REQUIRE(times.size() == safe.size());
+                for (std::size_t i = 0; i < safe.size(); ++i)
+                    REQUIRE((times[i].body == safe[i].body && times[i].t == safe[i].t));
+            });
+        }
+    }
+}
+#endif
