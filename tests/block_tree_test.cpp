@@ -70,7 +70,7 @@ TEST_CASE("BlockTree: as many leaves and levels as there must be, all empty")
 {
     BlockTree tree;
     CHECK(tree.height == 0);
-    for (const std::size_t n : {0, 1, 16, 17, 256, 257, 4096, 4097, 70'000}) {
+    for (const std::size_t n : {0U, 1U, 16U, 17U, 256U, 257U, 4096U, 4097U, 70'000U}) {
         tree.resize(n);
         CAPTURE(n);
         CHECK(tree.count == 0);
@@ -95,7 +95,7 @@ TEST_CASE("BlockTree: as many leaves and levels as there must be, all empty")
 TEST_CASE("BlockTree: every level bounds what is below it and knows the lowest id there")
 {
     int erased = 0;
-    for (const std::size_t n : {1, 16, 17, 100, 300, 5000}) {
+    for (const std::size_t n : {1U, 16U, 17U, 100U, 300U, 5000U}) {
         support::SweepField field = support::draw_field(n, 1, n, 0.3);
         BlockTree& tree = field.tree;
         CAPTURE(n);

@@ -228,7 +228,7 @@ TEST_CASE("BroadPhase: the origin follows the bodies, and all bounds with it")
 TEST_CASE("BroadPhase: at most 80 bytes for each of many bodies")
 {
     for (const std::string_view name : {"gas", "asleep", "bullets"}) {
-        for (const std::size_t first : {20'000, 12'000}) { // at once, or many and then more
+        for (const std::size_t first : {20'000U, 12'000U}) { // at once, or many and then more
             Scene scene;
             for (const Body& body : support::draw_scene(name, 20'000, 1).bodies) {
                 scene.add(body);

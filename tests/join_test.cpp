@@ -65,7 +65,7 @@ Faults faults_of(const Joined& joined, const SweepField& of, const SweepField& w
 TEST_CASE("join: the widest and the plain one find the same in the same order, whatever the rules")
 {
     std::size_t found = 0, dropped = 0;
-    for (const std::size_t n : {1, 17, 100, 2000}) {
+    for (const std::size_t n : {1U, 17U, 100U, 2000U}) {
         const SweepField field = support::draw_field(n, 1, 20261122 + n);
         const SweepField other = support::draw_field(n, 1, 77 + n);
         for (unsigned bits = 0; bits < 32; ++bits) {
@@ -93,7 +93,7 @@ TEST_CASE("join: the widest and the plain one find the same in the same order, w
 
 TEST_CASE("join: by boxes, each overlapping pair of living bodies once and no other")
 {
-    for (const std::size_t n : {1, 16, 17, 300, 5000}) {
+    for (const std::size_t n : {1U, 16U, 17U, 300U, 5000U}) {
         const SweepField field = support::draw_field(n, 1, 5 + n);
         std::set<SlotPair> all;
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -201,12 +201,12 @@ TEST_CASE("join: what recedes is not nearing")
 
 TEST_CASE("join: a buffer without room is gone on with where it was left")
 {
-    for (const std::size_t n : {100, 300, 1500}) {
+    for (const std::size_t n : {100U, 300U, 1500U}) {
         const SweepField field = support::draw_field(n, 0.7, 9 + n);
         for (const unsigned bits : {1U, 3U, 31U}) {
             const Plan plan = plan_of(bits, 0, 1);
             const Joined at_once = support::join_all(widest_join(), field, field, plan, 1U << 20U);
-            for (const std::size_t room : {272, 273, 400, 1000}) {
+            for (const std::size_t room : {272U, 273U, 400U, 1000U}) {
                 CAPTURE(n);
                 CAPTURE(room);
                 CHECK(same(at_once, support::join_all(widest_join(), field, field, plan, room), bits != 1));

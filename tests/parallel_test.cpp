@@ -30,8 +30,8 @@ int missed(std::size_t count, std::size_t grain)
 int missed_in_all()
 {
     int wrong = 0;
-    for (const std::size_t count : {0, 1, 2, 63, 64, 65, 1000, 100'000})
-        for (const std::size_t grain : {1, 16, 64, 4096})
+    for (const std::size_t count : {0U, 1U, 2U, 63U, 64U, 65U, 1000U, 100'000U})
+        for (const std::size_t grain : {1U, 16U, 64U, 4096U})
             wrong += missed(count, grain);
     return wrong;
 }

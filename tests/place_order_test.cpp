@@ -68,7 +68,7 @@ double ideal(std::size_t n, double edge)
 TEST_CASE("sort_by_place: a permutation in which sixteen after the other lie close together")
 {
     Random random(4);
-    for (const std::size_t n : {0, 1, 2, 17, 255, 256, 257, 4096, 6000, 9000}) {
+    for (const std::size_t n : {0U, 1U, 2U, 17U, 255U, 256U, 257U, 4096U, 6000U, 9000U}) {
         std::vector<Vec3> places;
         const Vec3 far = random.in_cube(1e6);
         for (std::size_t i = 0; i < n; ++i)
@@ -91,7 +91,7 @@ TEST_CASE("sort_by_place: outliers take no room from the others")
         const Vec3 away = random.unit();
         places[i] = 1e300 * away;
     }
-    for (const std::size_t i : {0, 1200, 2400}) // where a sample of 256 looks
+    for (const std::size_t i : {0U, 1200U, 2400U}) // where a sample of 256 looks
         places[i] = Vec3(1e9, -1e9, 1e9);
     const PlaceSorting s = sorted(store_of(places));
     CHECK(is_permutation(s));
@@ -136,6 +136,7 @@ TEST_CASE("origin_for: amid the scene, and the present one while it will do")
     for (std::uint32_t slot = 0; slot < 1000; ++slot) // who is gone does not count
         if (slot != 500) store.remove(slot);
     CHECK(origin_for(store, {}) == load(places[500]));
+    CHECK(origin_for(store_of({Vec3(0, 0, 0)}), {1e8, 0, 0}) == V3{});
     CHECK(origin_for(BodyStore{}, {1, 2, 3}) == V3{1, 2, 3});
     CHECK(origin_for(store_of({Vec3(1e300, 0, 0)}), {}) == V3{});
 }

@@ -29,6 +29,7 @@ public:
 
     explicit Sample(std::size_t of) : step_(of / most + 1) {}
     std::size_t step() const { return step_; }
+    bool empty() const { return count_ == 0; }
     void take(V3 at)
     {
         const bool far = !(sum_of_magnitudes(at) <= tolerance::largest_culled);
@@ -172,13 +173,14 @@ V3 origin_for(const BodyStore& store, V3 present)
     Sample sample(store.bodies.size());
     for (std::size_t slot = 0; slot < store.bodies.size(); slot += sample.step())
         if (store.ids[slot] != no_body) sample.take(midway(store.bodies[slot]));
+    if (sample.empty()) return present;
     const auto [x, y, z] = sample.ranges();
     const auto middle = [](Range r) { return 0.5 * r.low + 0.5 * r.high; };
     const V3 centre{middle(x), middle(y), middle(z)};
     const double widest = std::max({x.high - x.low, y.high - y.low, z.high - z.low});
     // A float tells 2^24 places apart: 2^14 of them across the scene will do.
     const double far = 0x1p10 * widest;
-    return sum_of_magnitudes(centre - present) <= far || sum_of_magnitudes(centre) == 0 ? present : centre;
+    return sum_of_magnitudes(centre - present) <= far ? present : centre;
 }
 
 } // namespace brink
