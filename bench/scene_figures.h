@@ -22,15 +22,17 @@ struct SceneFigures {
     std::size_t impacts = 0; // in the last step
     int steps = 0;           // that the medians are of
     double build_ms = 0;     // n bodies added and the first update; of a rival, n boxes made a tree
-    double motions_ms = 0;   // Scene::set_motions of all movers
-    double update_ms = 0;    // after every mover moved
-    double pairs_ms = 0;     // every candidate pair, then
-    double step_ms = 0;      // both: median of the sums
-    double impacts_ms = 0;   // every impact, after an update of its own
-    double first_ms = 0;     // the first impact, after an update of its own
-    double bytes = 0;        // a body: of the scene's broad phase by its own word, of a rival on the heap
-    double heap = 0;         // a body: all that building took on the heap
-    double floor_ms = 0;     // see floor_ms()
+    double motions_ms = 0; // Scene::set_motions of all movers: their swept boxes, too, which rivals are given
+    double update_ms = 0;  // the tree, after every mover moved
+    double pairs_ms = 0;   // every candidate pair, then
+    double step_ms = 0;    // both: median of the sums
+    double balls_ms = 0;   // the same as step_ms, but only the pairs whose swept balls meet too
+    std::size_t ball_pairs = 0;
+    double impacts_ms = 0; // every impact, after an update of its own
+    double first_ms = 0;   // the first impact, after an update of its own
+    double bytes = 0;      // a body: of the scene's broad phase by its own word, of a rival on the heap
+    double heap = 0;       // a body: all that building took on the heap
+    double floor_ms = 0;   // see floor_ms()
 };
 
 /// One scene with one layer switched off, or none.

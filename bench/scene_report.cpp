@@ -23,10 +23,10 @@ std::string scene_row(const SceneResults& results, const SceneFigures& f)
         return find(results.figures, f.scene, f.order, who, 1, f.n);
     };
     std::string row =
-        fmt::format("{:>9} {:>6.2f} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>4.0f} {:>7}", count(f.n),
-                    static_cast<double>(f.pairs) / static_cast<double>(f.n), ms(f.build_ms), ms(f.motions_ms),
-                    ms(f.update_ms), ms(f.pairs_ms), ms(f.step_ms), ms(f.impacts_ms), ms(f.first_ms), f.bytes,
-                    times(f.step_ms, f.floor_ms));
+        fmt::format("{:>9} {:>6.2f} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>4.0f} {:>7}",
+                    count(f.n), static_cast<double>(f.pairs) / static_cast<double>(f.n), ms(f.build_ms),
+                    ms(f.motions_ms), ms(f.update_ms), ms(f.pairs_ms), ms(f.step_ms), ms(f.balls_ms),
+                    ms(f.impacts_ms), ms(f.first_ms), f.bytes, times(f.step_ms, f.floor_ms));
     row += rival_cells(other("FCL"), f.step_ms) + rival_cells(other("Bullet"), f.step_ms);
     const SceneFigures* fcl = other("FCL two trees");
     const SceneFigures* bullet = other("Bullet two trees");
@@ -41,10 +41,11 @@ enum class Columns : unsigned char { one_tree, two_trees };
 std::string heading_of(Columns columns)
 {
     const bool two = columns == Columns::two_trees;
-    std::string text = fmt::format("{:>9} {:>6} {:^71} | {:^36} | {:^36}{}\n", "", "pairs/", "brink", "FCL",
+    std::string text = fmt::format("{:>9} {:>6} {:^79} | {:^36} | {:^36}{}\n", "", "pairs/", "brink", "FCL",
                                    "Bullet", two ? " | two trees" : "");
-    text += fmt::format("{:>9} {:>6} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>4} {:>7}", "bodies", "body",
-                        "build", "motions", "update", "pairs", "step", "impacts", "first", "B", "/floor");
+    text += fmt::format("{:>9} {:>6} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>4} {:>7}", "bodies",
+                        "body", "build", "motions", "update", "pairs", "step", "balls", "impacts", "first",
+                        "B", "/floor");
     for (int rival = 0; rival < 2; ++rival)
         text += fmt::format(" | {:>7} {:>7} {:>7} {:>4} {:>7}", "build", "update", "pairs", "B", "/brink");
     if (two) text += fmt::format(" | {:>7} {:>7} {:>7} {:>7}", "FCL", "/brink", "Bullet", "/brink");
@@ -135,13 +136,14 @@ std::string scenes_csv(const SceneResults& results)
 {
     std::string text =
         "scene,order,who,threads,bodies,movers,pairs,impacts,steps,build_ms,motions_ms,update_ms,"
-        "pairs_ms,step_ms,impacts_ms,first_ms,bytes_per_body,heap_per_body,floor_ms\n";
+        "pairs_ms,step_ms,balls_ms,ball_pairs,impacts_ms,first_ms,bytes_per_body,heap_per_body,floor_ms\n";
     for (const SceneFigures& f : results.figures)
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:."
-                            "4g},{:.4g},{:.4g}\n",
-                            f.scene, f.order, f.who, f.threads, f.n, f.movers, f.pairs, f.impacts, f.steps,
-                            f.build_ms, f.motions_ms, f.update_ms, f.pairs_ms, f.step_ms, f.impacts_ms,
-                            f.first_ms, f.bytes, f.heap, f.floor_ms);
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.6g},{:.6g},{:."
+            "4g},{:.4g},{:.4g}\n",
+            f.scene, f.order, f.who, f.threads, f.n, f.movers, f.pairs, f.impacts, f.steps, f.build_ms,
+            f.motions_ms, f.update_ms, f.pairs_ms, f.step_ms, f.balls_ms, f.ball_pairs, f.impacts_ms,
+            f.first_ms, f.bytes, f.heap, f.floor_ms);
     return text;
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t compared_n = 100'000; // up to here pair by pair, beyond t
 
 /// Samples of what a step is made of, in ms.
 struct Samples {
-    std::vector<double> motions, update, pairs, step, impacts, first;
+    std::vector<double> motions, update, pairs, step, balls, impacts, first;
 };
 
 double ms_of(const std::function<void()>& work) { return 1e3 * time_of(work); }
@@ -162,6 +162,9 @@ private:
         move_all(samples);
         samples.pairs.push_back(ms_of([&] { figures.pairs = scene_.candidates().size(); }));
         samples.step.push_back(samples.update.back() + samples.pairs.back());
+        move_all(samples);
+        const double balls = ms_of([&] { figures.ball_pairs = scene_.candidates(Bounds::balls).size(); });
+        samples.balls.push_back(samples.update.back() + balls);
     }
 
     void measure(int threads, std::span<Contender> rivals)
@@ -215,6 +218,7 @@ private:
         figures.update_ms = median(samples.update);
         figures.pairs_ms = median(samples.pairs);
         figures.step_ms = median(samples.step);
+        figures.balls_ms = median(samples.balls);
         figures.impacts_ms = median(samples.impacts);
         figures.first_ms = median(samples.first);
         figures.floor_ms = floor_ms(figures, results_.bandwidth);
