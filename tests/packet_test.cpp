@@ -92,7 +92,7 @@ TEST_CASE("drop_what_need_not_be_asked: settles each pair by the first layer tha
         plan.without = without;
         drop_what_need_not_be_asked(chunk, store, plan);
         CAPTURE(without.bits);
-        CHECK(Settled{chunk.candidates.count, chunk.skipped, chunk.masked, chunk.filtered} ==
+        CHECK(Settled{chunk.candidates.count, chunk.immovable + chunk.asleep, chunk.masked, chunk.filtered} ==
               expected(store, without));
         std::uint64_t meeting = 0;
         for (std::size_t i = 0; i < chunk.candidates.count; ++i) {

@@ -110,16 +110,18 @@ JOIN_ATTR inline void emit(std::uint32_t slot, const std::uint32_t* slots, Mask 
 
 /// Boxes alone, and of bodies that all have some.
 JOIN_ATTR inline void leaf_pairs_by_boxes(const Packet& p, Mask from, const BlockTree& tree,
-                                          std::uint32_t leaf, std::uint32_t own, Candidates& to,
-                                          JoinCounts& counts)
+                                          std::uint32_t leaf, std::uint32_t own, const JoinRules& rules,
+                                          Candidates& to, JoinCounts& counts)
 {
+    alignas(64) static constexpr float from_the_start[lanes] = {};
+    const float* times = rules.times ? from_the_start : nullptr;
     const Boxes& boxes = tree.levels[0][leaf];
     const std::uint32_t* slots = tree.slots.data() + std::size_t{lanes} * leaf;
     const std::size_t before = to.count;
     for (; from != 0; from &= from - 1) {
         const int lane = __builtin_ctz(from);
         const Mask later = own == leaf ? all_lanes << (lane + 1) : all_lanes;
-        emit(p.slots[lane], slots, overlap(boxes, box_at(p.boxes, lane)) & later, nullptr, to);
+        emit(p.slots[lane], slots, overlap(boxes, box_at(p.boxes, lane)) & later, times, to);
     }
     counts.met += to.count - before;
 }
@@ -128,7 +130,7 @@ JOIN_ATTR inline void leaf_pairs(const Packet& p, Mask from, const BlockTree& tr
                                  std::uint32_t own, const JoinRules& rules, Candidates& to,
                                  JoinCounts& counts)
 {
-    if (rules.boxes && !rules.balls) return leaf_pairs_by_boxes(p, from, tree, leaf, own, to, counts);
+    if (rules.boxes && !rules.balls) return leaf_pairs_by_boxes(p, from, tree, leaf, own, rules, to, counts);
     const Boxes& boxes = tree.levels[0][leaf];
     const std::uint32_t* slots = tree.slots.data() + std::size_t{lanes} * leaf;
     const auto ones = [](Mask m) { return static_cast<std::uint64_t>(__builtin_popcount(m)); };

@@ -27,6 +27,7 @@ struct JoinRules {
     bool boxes = true;                                 // cull by them
     bool balls = true;                                 // cull by them
     bool receding = true, spheres = true, late = true; // which of the three ways
+    bool times = true;                                 // candidates' times are asked for
     float grown = 0;                                   // balls that come this near count as meeting
     float until = 1;                                   // meetings later than this are late
     float follow = 1;                                  // 0: the tree's bodies stand still at their start

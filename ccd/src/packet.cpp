@@ -61,7 +61,7 @@ void cut_off(Boxes& boxes, const Balls& balls, float until, float grown)
     }
 }
 
-enum class Settled : unsigned char { no, at_rest, mask, filter };
+enum class Settled : unsigned char { no, immovable, asleep, mask, filter };
 
 Settled settled(const Candidate& c, const BodyStore& store, const Plan& plan)
 {
@@ -71,7 +71,7 @@ Settled settled(const Candidate& c, const BodyStore& store, const Plan& plan)
         return meet ? Settled::no : Settled::mask;
     }
     const Body& a = store.bodies[c.a];
-    if (at_rest(a) && at_rest(b)) return Settled::at_rest;
+    if (at_rest(a) && at_rest(b)) return a.immovable && b.immovable ? Settled::immovable : Settled::asleep;
     if (!masks_meet(a.category, a.mask, b.category, b.mask)) return Settled::mask;
     if (plan.filter) {
         const BodyId i = store.ids[c.a], k = store.ids[c.b];
@@ -81,17 +81,17 @@ Settled settled(const Candidate& c, const BodyStore& store, const Plan& plan)
 }
 
 /// Whether the layer that would settle the pair is at work.
-bool at_work(Settled by, const Candidate& c, const BodyStore& store, const Plan& plan)
+bool at_work(Settled by, Layers without)
 {
     switch (by) {
+    case Settled::immovable:
+        return !without.has(Layer::immovable);
+    case Settled::asleep:
+        return !without.has(Layer::asleep);
     case Settled::mask:
-        return !plan.without.has(Layer::mask);
+        return !without.has(Layer::mask);
     case Settled::filter:
-        return !plan.without.has(Layer::filter);
-    case Settled::at_rest: {
-        const bool scenery = store.bodies[c.a].immovable && store.bodies[c.b].immovable;
-        return !plan.without.has(scenery ? Layer::immovable : Layer::asleep);
-    }
+        return !without.has(Layer::filter);
     default:
         return false;
     }
@@ -146,11 +146,12 @@ void drop_what_need_not_be_asked(Chunk& chunk, const BodyStore& store, const Pla
     for (std::size_t i = 0; i < all.count; ++i) {
         const Candidate c = all[i];
         const Settled by = settled(c, store, plan);
-        if (!at_work(by, c, store, plan)) {
+        if (!at_work(by, plan.without)) {
             all.set(kept++, c);
             continue;
         }
-        chunk.skipped += by == Settled::at_rest ? 1 : 0;
+        chunk.immovable += by == Settled::immovable ? 1 : 0;
+        chunk.asleep += by == Settled::asleep ? 1 : 0;
         chunk.masked += by == Settled::mask ? 1 : 0;
         chunk.filtered += by == Settled::filter ? 1 : 0;
     }

@@ -6,6 +6,7 @@
 #include "tolerance.h"
 
 #include <atomic>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -143,11 +144,15 @@ Aabb Scene::swept_bounds(BodyId id)
     update();
     const Box3f box = data_->broad.box(slot);
     const V3 o = data_->broad.origin;
-    const auto corner = [&](const float(&c)[3]) {
-        return Vec3{o.x + static_cast<double>(c[0]), o.y + static_cast<double>(c[1]),
-                    o.z + static_cast<double>(c[2])};
+    const auto corner = [&](const float(&c)[3], double outwards) {
+        const auto moved = [outwards](double by, float x) {
+            const double sum = by + static_cast<double>(x);
+            return by == 0 ? sum : sum + outwards * std::fabs(sum);
+        };
+        return Vec3{moved(o.x, c[0]), moved(o.y, c[1]), moved(o.z, c[2])};
     };
-    return {corner(box.min), corner(box.max)};
+    constexpr double place = 2 * tolerance::unit_roundoff;
+    return {corner(box.min, -place), corner(box.max, place)};
 }
 
 void Scene::update()
@@ -220,19 +225,19 @@ void Asking::write_ledger(const Plan& plan, const Asked& asked) const
     Ledger& l = data_.ledger;
     const auto layer = [&](Layer by) -> std::uint64_t& { return l.removed[static_cast<unsigned>(by)]; };
     const Census census = pairs_in(data_.store, data_.broad);
-    l.pairs = plan.alone ? data_.store.count() : census.all;
-    if (!plan.alone && !plan.without.has(Layer::immovable)) layer(Layer::immovable) = census.immovable;
-    if (!plan.alone && !plan.without.has(Layer::asleep))
-        layer(Layer::asleep) = census.resting - census.immovable;
+    const std::size_t alone = data_.store.count() - (plan.bounded_only ? data_.broad.unbounded.size() : 0);
+    l.pairs = plan.alone ? alone : census.all;
+    const bool by_census = !plan.alone && !plan.rest_pairs;
+    layer(Layer::immovable) = by_census ? census.immovable : s.immovable;
+    layer(Layer::asleep) = by_census ? census.resting - census.immovable : s.asleep;
+    const std::uint64_t elsewhere = s.counts.met + (by_census ? census.resting : 0);
+    if (s.complete) layer(Layer::bounds) = l.pairs - elsewhere;
     layer(Layer::receding) = s.counts.receding;
     layer(Layer::spheres) = s.counts.spheres;
     layer(Layer::mask) = s.masked;
     layer(Layer::filter) = s.filtered;
     l.exact = asked.exact;
-    const std::uint64_t met = s.counts.met - s.skipped;
-    const std::uint64_t elsewhere = l.by(Layer::immovable) + l.by(Layer::asleep) + met;
     layer(Layer::late) = s.counts.late + asked.late;
-    if (s.complete) layer(Layer::bounds) = l.pairs - elsewhere;
     std::uint64_t known = asked.exact;
     for (const std::uint64_t removed : l.removed)
         known += removed;

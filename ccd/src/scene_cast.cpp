@@ -31,7 +31,7 @@ struct Cast {
 /// What a cast has met so far.
 class Met {
 public:
-    Met(SceneData& data, const Cast& cast) : data_(data), cast_(cast), known_until_(cast.options.pair.t_max)
+    Met(SceneData& data, const Cast& cast, const Plan& plan) : data_(data), cast_(cast), plan_(plan)
     {
         data_.impacts.clear();
     }
@@ -42,13 +42,15 @@ public:
         if (cast_.first && !data_.impacts.empty() && t > data_.impacts.front().toi.t) {
             ++asked_.late;
         } else if (asked_.exact == cast_.options.max_tests) {
-            known_until_ = std::min(known_until_, t);
+            least_open_ = std::min(least_open_, t);
         } else {
             ++asked_.exact;
-            keep(cast_.ask(data_.store, slot));
+            const Impact impact = cast_.ask(data_.store, slot);
+            if (plan_.without.bits == 0 || meets({no_slot, slot, 0}, data_.store, plan_)) keep(impact);
         }
     }
-    double known_until() const { return known_until_; }
+    /// A time before which nothing is met that was not asked about; infinite where all was asked.
+    double least_open() const { return least_open_; }
     const Asked& asked() const { return asked_; }
     /// A time after which nothing matters any more.
     double until() const
@@ -69,18 +71,22 @@ private:
 
     SceneData& data_;
     const Cast& cast_;
-    double known_until_;
+    const Plan& plan_;
+    double least_open_ = infinity;
     Asked asked_;
 };
 
 /// A plane or half-space is asked against everything bounded.
-void cast_unbounded(SceneData& data, const Cast& cast, Met& met)
+void cast_unbounded(SceneData& data, const Plan& plan, Met& met)
 {
     for (std::uint32_t slot = 0; slot < data.store.bodies.size(); ++slot) {
         const Body& b = data.store.bodies[slot];
         if (data.store.ids[slot] == no_body || unbounded(b.shape)) continue;
-        if (!masks_meet(cast.options.category, cast.options.mask, b.category, b.mask)) continue;
-        met.look(slot, 0);
+        ++data.search.counts.met;
+        if (plan.without.has(Layer::mask) || meets({no_slot, slot, 0}, data.store, plan))
+            met.look(slot, 0);
+        else
+            ++data.search.masked;
     }
 }
 
@@ -92,10 +98,11 @@ double cast_into(SceneData& data, const Cast& cast)
     plan.mask = cast.options.mask;
     Packet packet;
     plan.alone = &packet;
-    Met met(data, cast);
+    Met met(data, cast, plan);
     if (unbounded(cast.shape)) {
         data.search.forget();
-        cast_unbounded(data, cast, met);
+        plan.bounded_only = true;
+        cast_unbounded(data, plan, met);
     } else {
         packet = packet_of(sweep({cast.shape, cast.motion}, data.broad.origin), plan);
         data.search.run(
@@ -108,7 +115,7 @@ double cast_into(SceneData& data, const Cast& cast)
             });
     }
     asking.write_ledger(plan, met.asked());
-    return met.known_until();
+    return met.least_open();
 }
 
 } // namespace
@@ -117,23 +124,20 @@ Impact Scene::cast(const Shape& shape, const Motion& motion, const SceneOptions&
 {
     check(options);
     check_cast(shape, motion);
-    const double known_until = cast_into(*data_, {shape, motion, options, true});
-    const bool any = !data_->impacts.empty();
-    Impact first;
-    if (any) first = data_->impacts.front();
-    if (any && first.toi.t <= known_until) return first;
-    first = {};
-    first.toi.t = known_until;
-    first.toi.status = known_until < options.pair.t_max ? Status::undecided : Status::separated;
-    return first;
+    const double open = cast_into(*data_, {shape, motion, options, true});
+    if (!data_->impacts.empty() && data_->impacts.front().toi.t <= open) return data_->impacts.front();
+    Impact none;
+    none.toi.t = std::min(open, options.pair.t_max);
+    none.toi.status = open <= options.pair.t_max ? Status::undecided : Status::separated;
+    return none;
 }
 
 Impacts Scene::cast_all(const Shape& shape, const Motion& motion, const SceneOptions& options)
 {
     check(options);
     check_cast(shape, motion);
-    const double known_until = cast_into(*data_, {shape, motion, options, false});
-    return {in_order(*data_), known_until};
+    const double open = cast_into(*data_, {shape, motion, options, false});
+    return {in_order(*data_), std::min(open, options.pair.t_max), open == infinity};
 }
 
 } // namespace brink

@@ -42,20 +42,21 @@ void ask_all(Chunk& chunk, const SceneData& data, const SceneOptions& options, c
 /// The least time of what nobody asked about, and whether there is anything more to learn.
 class Unasked {
 public:
-    explicit Unasked(const SceneOptions& options) : options_(options), known_until_(options.pair.t_max) {}
-    double known_until() const { return known_until_; }
+    explicit Unasked(const SceneOptions& options) : options_(options) {}
+    double known_until() const { return std::min(least_, options_.pair.t_max); }
+    bool none() const { return least_ == infinity; }
     bool take(const Chunk& chunk, Plan& plan)
     {
         exact_ += allowed(chunk, options_);
-        known_until_ = std::min(known_until_, least_of_others(chunk, options_));
-        if (plan.rules.late && known_until_ < options_.pair.t_max) plan.rules.until = round_up(known_until_);
-        return known_until_ > 0 || options_.pair.t_max == 0;
+        least_ = std::min(least_, least_of_others(chunk, options_));
+        if (plan.rules.late && least_ < options_.pair.t_max) plan.rules.until = round_up(least_);
+        return least_ > 0;
     }
     std::uint64_t exact() const { return exact_; }
 
 private:
     const SceneOptions& options_;
-    double known_until_;
+    double least_ = infinity;
     std::uint64_t exact_ = 0;
 };
 
@@ -133,20 +134,21 @@ Impact Scene::first_impact(const SceneOptions& options)
     time_only.detail = Detail::time_only;
 
     Earliest earliest(data, options);
-    double unasked = options.pair.t_max;
+    double unasked = infinity;
     data.search.run(
         data.store, data.broad, plan, [&](Chunk& chunk) { earliest.decide(chunk, time_only, plan); },
         [&](const Chunk& chunk) {
             earliest.take(chunk, plan);
             unasked = std::min(unasked, least_of_others(chunk, options));
-            return unasked > 0 || chunk.before + chunk.candidates.count <= options.max_tests;
+            return unasked > 0;
         });
     asking.write_ledger(plan, earliest.asked());
 
     const Impact& best = earliest.best();
-    const bool any = Earliest::found(best);
-    if (unasked < (any ? best.toi.t : options.pair.t_max)) return none(Status::undecided, unasked);
-    if (!any) return none(Status::separated, options.pair.t_max);
+    const double t_max = options.pair.t_max;
+    if (Earliest::found(best) ? unasked < best.toi.t : unasked <= t_max)
+        return none(Status::undecided, unasked);
+    if (!Earliest::found(best)) return none(Status::separated, t_max);
     if (options.pair.detail == Detail::time_only) return best;
     return ask(data.store, data.store.slots[best.a], data.store.slots[best.b], options.pair);
 }
@@ -184,12 +186,13 @@ Impacts Scene::impacts(const SceneOptions& options)
             return unasked.take(chunk, plan);
         });
     asking.write_ledger(plan, {unasked.exact(), 0});
-    return {in_order(data), unasked.known_until()};
+    return {in_order(data), unasked.known_until(), unasked.none()};
 }
 
 void Scene::visit_impacts(const Visitor& visitor, const SceneOptions& options)
 {
     check(options);
+    if (!visitor) throw std::invalid_argument("brink::Scene: visit_impacts was given an empty visitor");
     SceneData& data = *data_;
     const Asking asking(data);
     Plan plan = asking.plan(options);

@@ -38,7 +38,9 @@ std::span<const BodyPair> Scene::overlapping(const SceneOptions& options)
             std::size_t kept = 0;
             for (std::size_t i = 0; i < all.count; ++i) {
                 const Candidate c = all[i];
-                const Body &a = data.store.bodies[c.a], &b = data.store.bodies[c.b];
+                const bool in_order = data.store.ids[c.a] < data.store.ids[c.b];
+                const Body &a = data.store.bodies[in_order ? c.a : c.b],
+                           &b = data.store.bodies[in_order ? c.b : c.a];
                 if (!overlaps(a.shape, a.motion.start, b.shape, b.motion.start)) continue;
                 if (plan.without.bits == 0 || meets(c, data.store, plan)) all.set(kept++, c);
             }
@@ -64,6 +66,7 @@ std::span<const BodyPair> Scene::candidates(Bounds bounds)
     plan.grown = 0;
     plan.rules.grown = 0;
     plan.rules.balls = bounds == Bounds::balls;
+    plan.rules.times = false;
     std::size_t count = 0;
     data.search.run(
         data.store, data.broad, plan,

@@ -33,8 +33,9 @@ double leaving(const Ray& ray, const BroadPhase& broad)
                        std::fabs(static_cast<double>(all.max[axis]));
     }
     far += sum_of_magnitudes(load(ray.origin) - broad.origin);
-    const double length = norm(load(ray.direction));
-    return length > 0 ? std::min(ray.t_max, 2 * far / length) : 0;
+    const Vec3& d = ray.direction;
+    const double longest = std::max({std::fabs(d.x()), std::fabs(d.y()), std::fabs(d.z())});
+    return longest > 0 ? std::min(ray.t_max, 2 * far / longest) : 0;
 }
 
 bool is_hit(const RayHit& hit) { return hit.status == Status::hit || hit.status == Status::touching; }
@@ -76,7 +77,7 @@ void cast_ray(SceneData& data, const Ray& ray, Wanted wanted)
         const Body& b = data.store.bodies[c.b];
         const RayImpact r{data.store.ids[c.b],
                           ray_cast(ray.origin, ray.direction, b.shape, b.motion.start, ray.t_max)};
-        if (!is_hit(r.hit)) return;
+        if (!is_hit(r.hit) || !(plan.without.bits == 0 || meets(c, data.store, plan))) return;
         if (!known)
             data.rays.push_back(r);
         else if (earlier(r, data.rays.front()))
@@ -90,8 +91,12 @@ void cast_ray(SceneData& data, const Ray& ray, Wanted wanted)
             return true;
         });
     for (const std::uint32_t slot : data.broad.unbounded) {
-        const Body& b = data.store.bodies[slot];
-        if (masks_meet(plan.category, plan.mask, b.category, b.mask)) look({no_slot, slot, 0});
+        const Candidate c{no_slot, slot, 0};
+        ++data.search.counts.met;
+        if (plan.without.has(Layer::mask) || meets(c, data.store, plan))
+            look(c);
+        else
+            ++data.search.masked;
     }
     asking.write_ledger(plan, asked);
 }

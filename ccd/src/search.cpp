@@ -48,7 +48,7 @@ std::span<const Candidate> by_time(Chunk& chunk, std::size_t count)
 void Search::forget()
 {
     counts = {};
-    skipped = masked = filtered = 0;
+    immovable = asleep = masked = filtered = 0;
     candidates = 0;
     complete = true;
     search_seconds = decide_seconds = 0;
@@ -113,7 +113,7 @@ void Search::find(Chunk& chunk, const BodyStore& store, const BroadPhase& broad,
     Candidates& to = chunk.candidates;
     to.make_room(most_candidates);
     chunk.counts = {};
-    chunk.skipped = chunk.masked = chunk.filtered = 0;
+    chunk.immovable = chunk.asleep = chunk.masked = chunk.filtered = 0;
     const Join join = plan.wide ? widest_join() : plain_join();
     Packet own;
     for (chunk.items_done = 0; chunk.items_done < chunk.item_count; ++chunk.items_done) {
@@ -152,7 +152,8 @@ void Search::end_finding()
         counts.receding += c.counts.receding;
         counts.spheres += c.counts.spheres;
         counts.late += c.counts.late;
-        skipped += c.skipped;
+        immovable += c.immovable;
+        asleep += c.asleep;
         masked += c.masked;
         filtered += c.filtered;
     }

@@ -28,11 +28,11 @@ struct Chunk {
     std::size_t items_done = 0;
     Candidates candidates;
     JoinCounts counts;
-    std::uint64_t skipped = 0, masked = 0, filtered = 0; // candidates that need not be asked
-    std::size_t before = 0;                              // candidates of the search in earlier chunks
-    std::vector<Candidate> by_time;                      // them, where the earliest is to be asked first
-    std::vector<Impact> impacts;                         // what was decided of them
-    std::uint64_t asked = 0;                             // how many were asked exactly
+    std::uint64_t immovable = 0, asleep = 0, masked = 0, filtered = 0; // candidates that need not be asked
+    std::size_t before = 0;         // candidates of the search in earlier chunks
+    std::vector<Candidate> by_time; // them, where the earliest is to be asked first
+    std::vector<Impact> impacts;    // what was decided of them
+    std::uint64_t asked = 0;        // how many were asked exactly
 };
 
 /// A chunk's first candidates in the order of their times.
@@ -49,6 +49,7 @@ struct Plan {
     const Scene::PairFilter* filter = nullptr;
     bool with_unbounded = true;
     bool only_movers = false;      // against them and against what is unbounded
+    bool bounded_only = false;     // a plane or half-space is cast
     const Packet* alone = nullptr; // a shape that is cast, or a ray, in place of the scene's own bodies
     std::uint32_t category = 1, mask = 0xffffffff; // its own
 };
@@ -58,7 +59,7 @@ struct Plan {
 class Search {
 public:
     JoinCounts counts;
-    std::uint64_t skipped = 0, masked = 0, filtered = 0;
+    std::uint64_t immovable = 0, asleep = 0, masked = 0, filtered = 0;
     std::size_t candidates = 0; // that were handed on
     bool complete = true;
     double search_seconds = 0, decide_seconds = 0;

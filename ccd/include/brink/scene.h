@@ -30,8 +30,8 @@ struct Body {
 
 struct SceneOptions {
     Options pair{}; // what time_of_impact is asked for every pair
-    /// Pairs that may be decided exactly; of those beyond only their swept spheres are told, and the first impact
-    /// need not be that of the lowest ids of all at its time.
+    /// Pairs that may be decided exactly; of those beyond only their swept spheres are told, and the first
+    /// impact need not be that of the lowest ids of all at its time.
     std::size_t max_tests = static_cast<std::size_t>(-1);
     /// Of a shape that is cast and of a ray; a body's own say all else.
     std::uint32_t category = 1, mask = 0xffffffff;
@@ -50,6 +50,7 @@ struct Impacts {
     std::span<const Impact> found;
     /// No pair beyond those found touches before this time; t_max unless max_tests ran out.
     double known_until = 0;
+    bool complete = false; // every pair was decided
 };
 
 /// Two bodies, a < b.
@@ -84,6 +85,8 @@ struct SceneData;
 /// time_of_impact(lower id, higher id) would for each of them alone, bit for bit and on any number of threads
 /// (oneTBB's, of the arena it is called in): what is skipped cannot matter. Only where time_of_impact would
 /// be undecided about bodies that bounds prove apart, the scene knows better.
+///
+/// A scene that was moved from can only be assigned to or destroyed.
 ///
 /// Queries use the scene's own memory: one at a time, and none while the scene changes. Once a scene has been
 /// asked, a step that is no larger allocates nothing. Lengths up to 1e38 are culled, larger ones only asked.
@@ -150,8 +153,8 @@ public:
 
     /// The pairs that overlap at t = 0, ordered; touching is overlapping.
     std::span<const BodyPair> overlapping(const SceneOptions& = {});
-    /// What a broad phase alone hands on, in no particular order (but always the same): the pairs whose bounds
-    /// meet. Planes and half-spaces are told apart from others by the balls.
+    /// What a broad phase alone hands on, in no particular order (but always the same): the pairs whose
+    /// bounds meet. Planes and half-spaces are told apart from others by the balls.
     std::span<const BodyPair> candidates(Bounds = Bounds::boxes);
 
     /// The first body at t = 0 that the ray meets (of equals the lowest id), t in lengths of `direction`;

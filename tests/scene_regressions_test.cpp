@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes that were once answered wrongly.
+#include "moving.h"
+#include "scene_brute.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+using namespace brink;
+using support::moving;
+
+namespace {
+
+Body at(const Shape& shape, const Vec3& position, const Vec3& translation = {0, 0, 0})
+{
+    return {shape, moving(position, translation)};
+}
+
+constexpr Layers no_balls = Layers(Layer::receding) | Layer::spheres | Layer::late;
+
+bool adds_up(const Ledger& l)
+{
+    const std::uint64_t sum = std::accumulate(l.removed.begin(), l.removed.end(), l.exact + l.left);
+    return sum == l.pairs && l.left <= l.pairs;
+}
+
+} // namespace
+
+TEST_CASE("scene: a plane whose own place is far along it")
+{
+    const double c = std::cos(0.15), s = std::sin(0.15);
+    for (const double far : {1e10, 1e11, 1e12}) {
+        Body plane = at(Plane{{c, s, 0}, 0}, {-s * far, c * far, 0});
+        plane.immovable = true;
+        const Vec3 near = Vec3{c, s, 0} * (-1e-3 * 1.00001);
+        const support::SceneModel model{{plane, at(Sphere{1e-3}, near)}, {}, {}};
+        Scene scene = support::scene_of(model);
+        CHECK(scene.impacts().found.size() == model.impacts().size());
+    }
+}
+
+TEST_CASE("scene: without balls no candidate has the time of an earlier query")
+{
+    Scene scene;
+    for (const double x : {10, 5, 30, 35, 40})
+        scene.add(at(Sphere{1}, {x, 0, 0}));
+    scene.cast(Sphere{1}, moving({100, 0, 0}, {-100, 0, 0}));
+    SceneOptions options;
+    options.without = no_balls;
+    const Motion there = moving({0, 0, 0}, {100, 0, 0});
+    CHECK(scene.cast(Sphere{1}, there, options).b == 1);
+    CHECK(scene.ray_cast({0, 0, 0}, {100, 0, 0}, 1, options).body == 1);
+    options.max_tests = 0;
+    CHECK(scene.cast_all(Sphere{1}, there, options).known_until <= 0.03);
+    CHECK(!scene.cast_all(Sphere{1}, there, options).complete);
+}
+
+TEST_CASE("scene: rays of any length")
+{
+    Scene scene;
+    scene.add(at(Sphere{1}, {5, 0, 0}));
+    for (const double length : {1e-300, 1e-200, 1e-100, 1e100, 1e200, 1e300}) {
+        CAPTURE(length);
+        const RayImpact met = scene.ray_cast({0, 0, 0}, {length, 0, 0}, infinity);
+        CHECK(met.body == 0);
+        CHECK(met.hit.t == doctest::Approx(4 / length));
+    }
+}
+
+TEST_CASE("scene: overlaps are asked by id, whoever moves")
+{
+    const Body a =
+        at(Box{{1.4000000000000001, 1, 1.7000000000000002}}, {2.5, 2.3000000000000003, 1.9000000000000001});
+    const Body b = at(Box{{2.5, 1.9000000000000001, 3.6000000000000001}},
+                      {6.4000000000000004, 0.80000000000000004, 0.80000000000000004});
+    for (int rests = 0; rests < 3; ++rests) {
+        for (int turned = 0; turned < 2; ++turned) {
+            support::SceneModel model{{turned == 1 ? b : a, turned == 1 ? a : b}, {}, {}};
+            if (rests < 2) model.bodies[static_cast<std::size_t>(rests)].asleep = true;
+            Scene scene = support::scene_of(model);
+            CHECK(scene.overlapping().size() == model.overlapping().size());
+        }
+    }
+}
+
+TEST_CASE("scene: masks hold for casts and rays, whatever is switched off")
+{
+    Scene scene;
+    Body other = at(Sphere{1}, {5, 0, 0});
+    other.category = 2;
+    scene.add(other);
+    SceneOptions options;
+    options.mask = 1;
+    for (const Layers without : {Layers{}, Layers(Layer::mask)}) {
+        options.without = without;
+        CHECK(scene.cast_all(Sphere{1}, moving({0, 0, 0}, {10, 0, 0}), options).found.empty());
+        CHECK(scene.cast_all(Plane{{1, 0, 0}, 0}, moving({0, 0, 0}, {10, 0, 0}), options).found.empty());
+        CHECK(scene.ray_cast_all({0, 0, 0}, {10, 0, 0}, 1, options).empty());
+    }
+}
+
+TEST_CASE("scene: nothing asked is not nothing there")
+{
+    Scene scene;
+    scene.add(at(Sphere{1}, {0, 0, 0}));
+    scene.add(at(Sphere{1}, {1, 0, 0}));
+    SceneOptions options;
+    options.max_tests = 0;
+    for (const double t_max : {0.0, 1.0}) {
+        options.pair.t_max = t_max;
+        CHECK(scene.first_impact(options).toi.status == Status::undecided);
+        CHECK(scene.first_impact(options).toi.t == 0);
+        CHECK(scene.cast(Sphere{1}, {}, options).toi.status == Status::undecided);
+        CHECK(!scene.impacts(options).complete);
+    }
+    options.max_tests = 1;
+    CHECK(scene.impacts(options).complete);
+    CHECK(scene.first_impact(options).toi.status == Status::touching);
+}
+
+TEST_CASE("scene: ledgers add up for casts, rays and resting pairs that are searched all the same")
+{
+    Scene scene;
+    for (int i = 0; i < 5; ++i) {
+        Body still = at(Sphere{1}, {1.5 * i, 1.5 * i, 0});
+        still.immovable = true;
+        scene.add(still);
+    }
+    SceneOptions options;
+    for (const Layers without : {Layers(Layer::asleep), Layers(Layer::immovable), Layers(Layer::mask)}) {
+        options.without = without;
+        scene.impacts(options);
+        CHECK(adds_up(scene.ledger()));
+    }
+    scene.add(at(Plane{{1, 0, 0}, 0}, {0, 0, 0}));
+    scene.ray_cast({-1, 0, 0}, {10, 0, 0});
+    CHECK(adds_up(scene.ledger()));
+    scene.cast(Plane{{1, 0, 0}, -20}, moving({0, 0, 0}, {30, 0, 0}));
+    CHECK(adds_up(scene.ledger()));
+    CHECK(scene.ledger().exact == 5);
+}
+
+TEST_CASE("scene: bounds hold the body far from the origin too")
+{
+    Scene scene;
+    for (int i = 0; i < 50; ++i)
+        scene.add(at(Sphere{0}, {1e15 + i, 0, 0}));
+    scene.add(at(Sphere{0.06}, {1e15, 0, 0}));
+    const Aabb box = scene.swept_bounds(50);
+    CHECK(box.min.x() < 1e15);
+    CHECK(box.max.x() > 1e15);
+}
+
+TEST_CASE("scene: no body is named twice, no visitor is empty")
+{
+    Scene scene;
+    const BodyId id = scene.add(at(Sphere{1}, {0, 0, 0}));
+    const BodyId twice[] = {id, id};
+    const Motion motions[] = {moving({1, 0, 0}, {0, 0, 0}), {}};
+    CHECK_THROWS_AS(scene.set_motions(twice, motions), std::invalid_argument);
+    CHECK(scene.body(id).motion.start.position.x() == 0);
+    CHECK_THROWS_AS(scene.visit_impacts({}), std::invalid_argument);
+    scene.set_motions(std::span(twice).first(1), std::span(motions).first(1));
+    CHECK(scene.body(id).motion.start.position.x() == 1);
+}
