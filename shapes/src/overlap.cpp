@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <brink/overlap.h>
 
-#include "placed_shape.h"
 #include "dyadic.h"
+#include "placed_shape.h"
 #include "tolerance.h"
 #include "validity.h"
 
