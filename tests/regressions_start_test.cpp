@@ -185,3 +185,24 @@ TEST_CASE("regression: a start in contact by half a rounding")
     CHECK(answer(q).status == Status::touching);
     check(q);
 }
+
+TEST_CASE("regression: contact at the start that only a closer look tells")
+{
+    // Was `hit`: the first look left the cone's side 2e-13 away, and the next took it for an arrival.
+    check(Query{Capsule{Vec3(0x1.3f14c2992c2adp+1, -0x1.3ec13d8887d94p+2, -0x1.344cbb687d03p+1),
+                        Vec3(-0x1.6fd1196ff008ap+1, 0x1.93673fdbff2e6p-1, -0x1.3c835de95b128p+2),
+                        0x1.327a65d9d94abp-4},
+                Motion{Pose{Vec3(0x1.014c0cbee6754p+2, 0x1.6b8cdbadaefb3p+1, -0x1.606dd2fdbaa24p+1),
+                            Quat(-0x1.0ea226f6dbf8fp-1, 0x1.431479cd608cep-2, -0x1.6e931af983373p-1,
+                                 -0x1.5138782398e65p-2)},
+                       Vec3(-0x1.0ea457acfd48bp+0, -0x1.97b650ac2cbc3p+0, 0x1.816272952afffp-1),
+                       Vec3(-0x1.0e70e66156678p-1, 0x1.c83c7d3023b26p-2, -0x1.c0d4cde02c4fdp-2),
+                       Vec3(-0x1.693bbd93e3d94p-3, -0x1.ecf2e1427e282p-2, 0x1.b1bddec52651cp-3)},
+                Cone{0x1.c0fe9339cab94p-1, 0x1.8af26c642d28cp-1},
+                Motion{Pose{Vec3(0x1.74db7a5df8b12p-1, -0x1.51ea0ed1a285cp-1, 0x1.af9f343c159cp-6),
+                            Quat(0x1.6a09e667f3bcdp-1, 0, -0x1.6a09e667f3bcdp-1, 0)},
+                       Vec3(0x1.27609c58fa8f1p+0, 0x1.bcf9a4fc70175p+0, -0x1.a49b5f8367829p-1),
+                       Vec3(0x1.d6da6b3995944p-3, -0x1.69147045d707ep-1, -0x1.87ed5683dd892p-3),
+                       Vec3(-0x1.7c7c9bdaa3ecp-2, -0x1.220728f80cbb4p-1, -0x1.64239ac26196dp-2)},
+                Options{1, 0, 0, StartContact::report, Detail::contact, 256}});
+}
