@@ -112,3 +112,36 @@ TEST_CASE("rising_step: the gap stays at or above where it was")
     CHECK(rising > 2'000);
     CHECK(rising < 17'000);
 }
+
+TEST_CASE("growing_step: the gap to a plane or half-space does not decrease at any moment")
+{
+    Random random(13);
+    int growing = 0, worthwhile = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Shape shape = random_shape(random, i % 8);
+        const Motion motion_a = random_motion(random, 1.5), motion_b = random_motion(random, 1.5);
+        const Vec3 normal = random.unit();
+        const Mover<Border> border =
+            i % 16 < 8 ? mover(Plane{normal, 0}, motion_b) : mover(HalfSpace{normal, 0}, motion_b);
+        const TwoBodies<Border> scene{moving_core(shape, motion_a), border};
+        const double t = random.between(0, 0.9);
+        const Moment<Border> s(scene, t);
+        const TurningAxis axis{scene.at(t).normal, scene.b.turn.rate};
+        const double step = growing_step(s.facing(), axis, 1 - t);
+        if (step == 0) continue;
+        CAPTURE(i);
+        CHECK(step <= 1 - t);
+        double last = -infinity, most_fallen = 0;
+        for (int k = 0; k <= 256; ++k) {
+            const double gap = scene.at(t + step * k / 256).gap;
+            most_fallen = std::max(most_fallen, last - gap);
+            last = gap;
+        }
+        CHECK(most_fallen < 1e-13);
+        ++growing;
+        worthwhile += step > 0.1 * rising_step(s.facing(), axis, 1 - t);
+    }
+    CHECK(growing > 2'000);
+    CHECK(growing < 17'000);
+    CHECK(worthwhile > growing / 2);
+}

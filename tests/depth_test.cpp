@@ -112,3 +112,19 @@ TEST_CASE("depth: none of what has no inside, or faces that are not known")
     for (const int kind : {3, 6, 7})
         CHECK(depth(draw.local(kind), {}) == -infinity);
 }
+
+TEST_CASE("depth: a cone that is a disc, a line or a point holds no point deep, and none outside of it")
+{
+    const Core disc = core(Cone{0, 2}), line = core(Cone{1, 0}), apex = core(Cone{0, 0});
+    CHECK(depth(disc, {1, 1, 0}) == 0);
+    CHECK(depth(disc, {2, 1, 0}) < 0);
+    CHECK(depth(line, {0, 0, 0.5}) == 0);
+    CHECK(depth(line, {0, 0, 1.5}) < 0);
+    CHECK(depth(line, {0.25, 0, 0}) < 0);
+    CHECK(depth(apex, {}) == 0);
+    for (const double side : {-1e-12, 1e-12}) {
+        CHECK(depth(disc, {0, 0, side}) < 0);
+        CHECK(depth(apex, {0, 0, side}) < 0);
+        CHECK(depth(apex, {side, 0, 0}) < 0);
+    }
+}

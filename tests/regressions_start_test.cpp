@@ -185,3 +185,56 @@ TEST_CASE("regression: a start in contact by half a rounding")
     CHECK(answer(q).status == Status::touching);
     check(q);
 }
+
+TEST_CASE("regression: contact at the start that only a closer look tells")
+{
+    // Was `hit`: the first look left the cone's side 2e-13 away, and the next took it for an arrival.
+    check(Query{Capsule{Vec3(0x1.3f14c2992c2adp+1, -0x1.3ec13d8887d94p+2, -0x1.344cbb687d03p+1),
+                        Vec3(-0x1.6fd1196ff008ap+1, 0x1.93673fdbff2e6p-1, -0x1.3c835de95b128p+2),
+                        0x1.327a65d9d94abp-4},
+                Motion{Pose{Vec3(0x1.014c0cbee6754p+2, 0x1.6b8cdbadaefb3p+1, -0x1.606dd2fdbaa24p+1),
+                            Quat(-0x1.0ea226f6dbf8fp-1, 0x1.431479cd608cep-2, -0x1.6e931af983373p-1,
+                                 -0x1.5138782398e65p-2)},
+                       Vec3(-0x1.0ea457acfd48bp+0, -0x1.97b650ac2cbc3p+0, 0x1.816272952afffp-1),
+                       Vec3(-0x1.0e70e66156678p-1, 0x1.c83c7d3023b26p-2, -0x1.c0d4cde02c4fdp-2),
+                       Vec3(-0x1.693bbd93e3d94p-3, -0x1.ecf2e1427e282p-2, 0x1.b1bddec52651cp-3)},
+                Cone{0x1.c0fe9339cab94p-1, 0x1.8af26c642d28cp-1},
+                Motion{Pose{Vec3(0x1.74db7a5df8b12p-1, -0x1.51ea0ed1a285cp-1, 0x1.af9f343c159cp-6),
+                            Quat(0x1.6a09e667f3bcdp-1, 0, -0x1.6a09e667f3bcdp-1, 0)},
+                       Vec3(0x1.27609c58fa8f1p+0, 0x1.bcf9a4fc70175p+0, -0x1.a49b5f8367829p-1),
+                       Vec3(0x1.d6da6b3995944p-3, -0x1.69147045d707ep-1, -0x1.87ed5683dd892p-3),
+                       Vec3(-0x1.7c7c9bdaa3ecp-2, -0x1.220728f80cbb4p-1, -0x1.64239ac26196dp-2)},
+                Options{1, 0, 0, StartContact::report, Detail::contact, 256}});
+}
+
+TEST_CASE("regression: a gap to a half-space that rises and falls while the contact lasts")
+{
+    // Were `separated`: it was higher at the end of each step than at its beginning, but not all the way.
+    check(
+        Query{HalfSpace{Vec3(-1, 0, 0), -0x1.193abc36a0cb4p-1},
+              Motion{Pose{Vec3(0x1.67af8e6bf5174p+19, 0x1.e9f4dd15e34a7p+17, -0x1.5330cd8eeacfdp+14),
+                          Quat(-0x1.646425f3a1c62p-2, 0x1.ae9f69a269439p-1, -0x1.8eda5d0c2790ap-2,
+                               -0x1.1ffcdaa5521b8p-3)},
+                     Vec3(0x1.3f72263d12e76p-1, -0x1.9e8567f1af174p+0, -0x1.0ebd0d1fa5798p+1),
+                     Vec3(-0x1.469169d1f180bp-3, -0x1.709218c57640bp-3, 0x1.499752fcf96edp-1), Vec3(0, 0, 0)},
+              Cone{0x1.06ec43122f6b9p+0, 0x1.2188535c77f06p+0},
+              Motion{Pose{Vec3(0x1.67af97d8f75a2p+19, 0x1.e9f3c9f689b7p+17, -0x1.533b0931865p+14),
+                          Quat(0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1, 0, 0)},
+                     Vec3(-0x1.8a4893ca37772p-1, 0x1.ffa1de88786cp+0, 0x1.4e2a4dc65c898p+1),
+                     Vec3(-0x1.8c788e2c0634fp+1, 0x1.409ee0f52081fp+1, -0x1.68619c380c02ap+1), Vec3(0, 0, 0)},
+              Options{1, 0x1.b7d3516114372p-13, 0x1.a36e2eb1c432dp-14, StartContact::ignore_if_separating,
+                      Detail::contact, 256}});
+    check(Query{
+        HalfSpace{Vec3(-0x1.eaafcfc6fa8f4p-2, -0x1.20f74fb5cc809p-2, 0x1.a987876c6f768p-1),
+                  -0x1.f693855b0d4e2p-1},
+        Motion{
+            Pose{Vec3(-0x1.01e00a4e2d7f5p+2, 0x1.5cd90d66edf0ap-3, 0x1.304309acee438p+2), Quat(1, 0, 0, 0)},
+            Vec3(0x1.27623ed449c7cp-1, 0x1.5425191efb76cp+1, 0x1.5e53a6e9352dp-2), Vec3(0, 0, 0),
+            Vec3(0, 0, 0)},
+        Ellipsoid{Vec3(0x1.9ab7b15901834p-1, 0x1.6006588715379p-1, 0x1.7dceb19db845fp-19)},
+        Motion{Pose{Vec3(-0x1.4ea70da637a04p-1, 0x1.b69aaece04c38p-3, 0x1.a865d10445d3cp-2),
+                    Quat(0x1.b84eef4005ce8p-3, -0x1.1ef45cb38a526p-1, -0x1.836b055b2f54fp-1,
+                         0x1.09442c3d17ec1p-2)},
+               Vec3(0, 0, 0), Vec3(0, 0, 0x1.cfdf1299d3df7p+1), Vec3(0, 0, 0)},
+        Options{1, 0, 0x1.0624dd2f1a9fcp-10, StartContact::ignore_if_separating, Detail::contact, 256}});
+}

@@ -197,3 +197,34 @@ TEST_CASE("a curved contact that turns its normal, and a hundred turns past each
         CHECK(answer(q).status != Status::undecided);
     }
 }
+
+TEST_CASE("regression: a cone without height and width has no inside")
+{
+    // Had contact proven 5e-12 and 1e-12 early: the depth in such a cone divided nothing by nothing.
+    check(Query{Sphere{0},
+                Motion{Pose{Vec3(-0x1.78aa4b5e5bb01p+1, 0x1.880b27d4a95e8p-2, -0x1.693b2b3877f38p+1),
+                            Quat(0x1.6a09e667f3bcdp-1, 0, -0x1.6a09e667f3bcdp-1, 0)},
+                       Vec3(0x1.73992fdf67d33p+2, -0x1.1f0c4398157ebp+0, 0x1.937785fa923c6p+1), Vec3(0, 0, 0),
+                       Vec3(0, 0, 0)},
+                Cone{0, 0},
+                Motion{Pose{Vec3(0x1.166a208b7a2d4p-1, -0x1.2969d0eea144p-2, -0x1.dbd79cdf7714cp-1),
+                            Quat(0x1.ca72a99dedc44p-1, -0x1.02a5304ea0b1ep-4, 0x1.1712874e1b69ap-5,
+                                 0x1.c1fa5764769p-2)},
+                       Vec3(-0x1.651f07247f279p+0, 0x1.13dd5fd1af348p-2, -0x1.83bf8595c76d4p-1),
+                       Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+    check(Query{Cone{0x1.decfffb26b857p-4, 0},
+                Motion{Pose{Vec3(-0x1.3af20a15efc3cp-1, 0x1.1822721946c4ep-2, 0x1.7af5a427491fbp-1),
+                            Quat(-0x1.3e9699cdd0fc6p-2, -0x1.e9eef6accafaep-2, 0x1.1dd0747139812p-1,
+                                 0x1.3455edc33f0dep-1)},
+                       Vec3(0x1.0113773dd866p+0, -0x1.6152ecdf4d7ap-1, -0x1.ed2f1b85ac984p-2), Vec3(0, 0, 0),
+                       Vec3(0, 0, 0)},
+                Cone{0, 0},
+                Motion{Pose{Vec3(0x1.e1f36f1afdfccp-2, -0x1.e3eb90df13108p-2, 0x1.c156d89e60a4p-3),
+                            Quat(0x1.bc264be84132p-3, 0x1.de84348f4c27cp-2, -0x1.0313aa9392635p-1,
+                                 0x1.6230447b6db6ap-1)},
+                       Vec3(-0x1.fb9e0c79957f6p-2, 0x1.5cd5531e58028p-2, 0x1.e6ea72a8ccdb7p-3),
+                       Vec3(-0x1.07e54a02e786dp+0, -0x1.39b18f44a4d86p-3, -0x1.cadd90f1b1d6dp-5),
+                       Vec3(0, 0, 0)},
+                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+}

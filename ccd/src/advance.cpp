@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 namespace brink {
 
@@ -40,6 +41,7 @@ private:
     Step best_step() const;
     bool coast(const Step&);
     Toi hit();
+    Toi arrived();
     Separation start_of_contact() const;
     bool begins_in_contact(const Separation& start, const StartOracle&) const;
     Toi go_on_from(const Separation& start);
@@ -52,6 +54,7 @@ private:
     Rolling rolling_;
     Trail trail_;
     bool first_ = true;
+    const StartOracle* untold_ = nullptr; // of a start that no look has shown to be within the tolerance
 };
 
 template <class Part> void Advance<Part>::look()
@@ -101,7 +104,7 @@ template <class Part> void Advance<Part>::go_on(const Step& step)
 template <class Part> Toi Advance<Part>::approach()
 {
     for (;;) {
-        if (there()) return hit();
+        if (there()) return arrived();
         Step step = first_ ? first_step(course_.facing(), sight_, horizon()) : best_step();
         first_ = false;
         if (trail_.lost(step, course_.facing(), watch_, sight_, course_.radii)) {
@@ -109,10 +112,10 @@ template <class Part> Toi Advance<Part>::approach()
             look();
             continue;
         }
-        if (there()) return hit();
+        if (there()) return arrived();
         if (!(step.gap > 0)) {
             sight_ = watch_.look_hard(course_.facing());
-            if (there()) return hit();
+            if (there()) return arrived();
             step = best_step();
         }
         if (!(step.gap > 0)) return course_.answer(Status::undecided, contact());
@@ -173,9 +176,17 @@ template <class Part> Toi Advance<Part>::run(const StartOracle& oracle)
     if (course_.window.empty || course_.window.begin > course_.options.t_max) return course_.apart();
     course_.go(course_.window.begin);
     look();
-    if (course_.now() > 0 || !there()) return approach();
+    untold_ = &oracle;
+    return approach();
+}
+
+/// Within the tolerance of contact: at the start, whichever look shows that, the question is whether in it.
+template <class Part> Toi Advance<Part>::arrived()
+{
+    const StartOracle* oracle = std::exchange(untold_, nullptr);
+    if (oracle == nullptr || course_.now() > 0) return hit();
     const Separation start = start_of_contact();
-    return begins_in_contact(start, oracle) ? from_contact() : go_on_from(start);
+    return begins_in_contact(start, *oracle) ? from_contact() : go_on_from(start);
 }
 
 /// How far apart they start, with the better of what its axis proves and that of the last look: of curved

@@ -14,6 +14,14 @@ namespace {
 
 constexpr int newton_rounds = 8;
 
+/// Where the parabola above + slope h - curvature h^2 / 2 falls to zero.
+double falls(double above, double slope, double curvature)
+{
+    const double root = std::sqrt(slope * slope + 2 * curvature * above);
+    if (slope > 0) return curvature > 0 ? (slope + root) / curvature : infinity;
+    return root - slope > 0 ? 2 * above / (root - slope) : infinity;
+}
+
 /// The points that support the turning axis at some h, as a line in h: its value at h = 0 and its slope, side
 /// by side in one register.
 using Line = Two;
@@ -143,6 +151,7 @@ public:
             curvature_ += spin * turn * far + 2 * turn * speed;
             third += spin * (spin * turn * far + 3 * turn * speed);
         }
+        either_way_ = curvature_;
         if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_[0]))) return;
         // The second derivative of n . x now is x . this.
         const XYZ<Two> normal = both(axis_.normal);
@@ -153,16 +162,15 @@ public:
     }
 
     double curvature() const { return curvature_; }
+    /// A bound of the second derivative whatever its sign.
+    double either_way() const { return either_way_; }
     Line now() const { return now_; }
     Line line(double h) const { return (b_.extreme(h) - a_.extreme(h)) + rest_; }
     double bent(double h, Line l) const { return at(l, h) - 0.5 * curvature_ * h * h; }
     /// Where the parabola through this line falls to `level`; never before phi itself does.
     double reaches(double level, Line l) const
     {
-        const double above = std::max(0.0, l[0] - level), slope = l[1];
-        const double root = std::sqrt(slope * slope + 2 * curvature_ * above);
-        if (slope > 0) return curvature_ > 0 ? (slope + root) / curvature_ : infinity;
-        return root - slope > 0 ? 2 * above / (root - slope) : infinity;
+        return falls(std::max(0.0, l[0] - level), l[1], curvature_);
     }
 
     struct Last {
@@ -209,7 +217,7 @@ private:
     V3 drift_;
     Line rest_; // of the gap: what is the same for all points
     Line now_;
-    double horizon_, curvature_ = 0;
+    double horizon_, curvature_ = 0, either_way_ = 0;
 };
 
 } // namespace
@@ -236,6 +244,29 @@ template <class Part> double rising_step(const Facing<Part>& f, const TurningAxi
     if (x >= horizon && value >= level) return horizon;
     const double half = 0.5 * x; // the top of a parabola; further on the bound falls again
     return bound.bent(half, bound.line(half)) >= level ? half : 0;
+}
+
+double growing_step(const Facing<Border>& f, const TurningAxis& axis, double horizon)
+{
+    Bound<Border> bound(f, axis, horizon);
+    bound.bend_towards();
+    const double level = bound.now()[0], rate = bound.now()[1];
+    if (!(rate >= 0)) return 0;
+    const double most = bound.last(level).h;
+    const double bent = 0.5 * (bound.curvature() + bound.either_way());
+    double step = 0;
+    for (const double h : {most, 0.5 * most}) {
+        const Line l = bound.line(h);
+        const double gained = (l[0] - level) + h * l[1], needed = rate + bent * h;
+        step = std::max(step, gained >= h * needed ? h : gained / needed);
+    }
+    if (f.b.part.solid) return step;
+    const TurningAxis away{-axis.normal, axis.spin};
+    Bound<Border> behind(f, away, step);
+    behind.bend_towards();
+    const double lead = std::max(0.0, level - behind.now()[0]), gains = behind.now()[1];
+    if (lead == 0 && gains == 0 && behind.either_way() > 0) return 0;
+    return std::min(step, falls(lead, -gains, behind.either_way()));
 }
 
 template <class Part> double closing_speed(const Facing<Part>& f, const TurningAxis& axis)

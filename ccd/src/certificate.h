@@ -42,6 +42,9 @@ template <class Part> Step safe_step(const Facing<Part>&, const TurningAxis&, do
 /// The time over which the gap along an axis is proven not to fall below its value now.
 template <class Part> double rising_step(const Facing<Part>&, const TurningAxis&, double horizon);
 
+/// The time over which the gap to a border along its own axis is proven not to decrease at any moment.
+double growing_step(const Facing<Border>&, const TurningAxis&, double horizon);
+
 /// How fast the gap along an axis closes now; negative where it opens.
 template <class Part> double closing_speed(const Facing<Part>&, const TurningAxis&);
 

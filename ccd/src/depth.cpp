@@ -16,7 +16,9 @@ double depth(const Core& c, V3 point)
         return std::min(h.z - std::fabs(p.z), h.x - across);
     case Core::Kind::cone: { // the base, and the side, which falls by 2 h.z over h.x
         const double slant = std::sqrt(h.x * h.x + 4 * h.z * h.z);
-        return std::min(h.z + p.z, ((h.z - p.z) * h.x - 2 * h.z * across) / slant);
+        const double side = slant > 0 ? ((h.z - p.z) * h.x - 2 * h.z * across) / slant : -across;
+        // The cylinder around it: of a disc, a line or a point the side alone leaves the ends open.
+        return std::min({h.z + p.z, side, h.x - across, h.z - p.z});
     }
     case Core::Kind::ellipsoid: { // a part of the way out that is left in every direction
         const V3 q{p.x / h.x, p.y / h.y, p.z / h.z};

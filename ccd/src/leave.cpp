@@ -7,6 +7,7 @@
 #include "tolerance.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace brink {
 
@@ -120,14 +121,22 @@ template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double
     return {};
 }
 
-/// A step over which the gap provably does not fall below what it is: 0 if none is proven that could be told
-/// from standing still. From deeper down it also ends at a part of what could bring the gap to the target,
-/// so that poses are looked at often enough to see it fall again.
+/// A step over which the gap provably does not fall below what it is, to a border on the way out of contact
+/// not at any moment: 0 if none is proven that could be told from standing still. Between bodies, from deeper
+/// down, it also ends at a part of what could bring the gap to the target, so that poses are looked at often
+/// enough to see it fall again.
 template <class Part> double Leaving<Part>::step_away() const
 {
     const double shallow = tolerance::watchful * -gap() / course_.fastest,
                  left = course_.window.end - course_.now();
     const double least = std::min(course_.tolerance / course_.fastest, tolerance::small_part * left);
+    if constexpr (std::is_same_v<Part, Border>) {
+        if (!blind_ && !apart_) {
+            const Facing<Border>& f = course_.facing();
+            const double way = growing_step(f, TurningAxis{now_.normal, f.b.rate}, left);
+            return way >= least ? way : 0;
+        }
+    }
     const double way = rising(course_.facing(), now_.normal, left);
     if (!(way >= least)) return 0;
     return gap() < -course_.tolerance ? std::min(way, shallow) : way;
