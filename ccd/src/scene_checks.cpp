@@ -140,6 +140,7 @@ void check_cast(const Shape& shape, const Motion& motion) { check_valid("cast: "
 
 void check_ray(const Vec3& origin, const Vec3& direction, double t_max)
 {
+    if (is_finite(load(origin)) && is_finite(load(direction)) && t_max >= 0) return;
     refuse_first("ray: ", {point("origin", origin),
                            point("direction", direction),
                            {"t_max", text(t_max), t_max >= 0, "must not be negative"}});
