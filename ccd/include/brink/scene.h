@@ -30,8 +30,9 @@ struct Body {
 
 struct SceneOptions {
     Options pair{}; // what time_of_impact is asked for every pair
-    /// Pairs that may be decided exactly; of those beyond only their swept spheres are told, and the first
-    /// impact need not be that of the lowest ids of all at its time.
+    /// Pairs that may be decided exactly, of impacts, casts and safe times (overlaps and rays are asked in
+    /// full); of those beyond only their swept spheres are told, and the first impact need not be that of the
+    /// lowest ids of all at its time.
     std::size_t max_tests = static_cast<std::size_t>(-1);
     /// Of a shape that is cast and of a ray; a body's own say all else.
     std::uint32_t category = 1, mask = 0xffffffff;
