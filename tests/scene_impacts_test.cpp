@@ -75,7 +75,7 @@ TEST_CASE("scene: every impact and the first are those of brute force over all p
 {
     std::size_t impacts = 0;
     for (const std::string_view name : support::scene_names) {
-        for (const std::size_t n : {1, 2, 16, 17, 40, 300}) {
+        for (const std::size_t n : {1U, 2U, 16U, 17U, 40U, 300U}) {
             CAPTURE(name);
             CAPTURE(n);
             const SceneModel model = draw(name, n, 5 + n);
@@ -171,7 +171,7 @@ TEST_CASE("scene: what a budget leaves open is told, and the times are safe")
         Scene scene = support::scene_of(model);
         const std::vector<Impact> want = model.impacts();
         REQUIRE(want.size() > 0);
-        for (const std::size_t budget : {0, 1, 3, 10, 40, 100'000}) {
+        for (const std::size_t budget : {0U, 1U, 3U, 10U, 40U, 100'000U}) {
             SceneOptions options;
             options.max_tests = budget;
             const Impact first = scene.first_impact(options);

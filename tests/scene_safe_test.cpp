@@ -105,7 +105,7 @@ TEST_CASE("scene: nothing overlaps when all halt at their safe times")
 {
     std::size_t halted = 0, moving = 0;
     for (const std::string_view name : {"gas", "clustered", "bullets", "rain", "asleep"}) {
-        for (const std::uint64_t seed : {1, 2, 3}) {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
             CAPTURE(name);
             CAPTURE(seed);
             const SceneModel model{support::draw_scene(name, 90, seed).bodies, {}, {}};
@@ -136,7 +136,7 @@ TEST_CASE("scene: safe times with a budget are earlier, never later")
     for (const std::string_view name : {"bullets", "rain"}) {
         const SceneModel model{support::draw_scene(name, 150, 4).bodies, {}, {}};
         Scene scene = support::scene_of(model);
-        for (const std::size_t budget : {0, 5, 50}) {
+        for (const std::size_t budget : {0U, 5U, 50U}) {
             CAPTURE(name);
             CAPTURE(budget);
             SceneOptions options;
