@@ -124,7 +124,7 @@ std::string scenes_plot(const SceneResults& results)
         utmost = std::max(utmost, f.n);
     }
     std::string text = "# Draws the time of a step over the number of bodies: gnuplot scenes.gp\n";
-    text += "headline = 'Everything moves: new bounds and all pairs whose swept boxes overlap'\n";
+    text += "headline = 'Everything moves: the tree and all pairs whose swept boxes overlap'\n";
     text += "subline = 'ms of a step (logarithmic), one thread where no more are named; bodies stored in "
             "spatial order (lines) or at "
             "random (rings)'\n";

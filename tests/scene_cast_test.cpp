@@ -11,16 +11,12 @@
 #include <string>
 
 using namespace brink;
+using support::draw_model;
 using support::Random;
 using support::same;
 using support::SceneModel;
 
 namespace {
-
-SceneModel draw(std::string_view name, std::size_t n, std::uint64_t seed)
-{
-    return {support::draw_scene(name, n, seed).bodies, {}, {}};
-}
 
 bool same(const RayImpact& x, const RayImpact& y)
 {
@@ -60,7 +56,7 @@ TEST_CASE("scene: a shape that is cast meets what brute force meets")
     Random random(71);
     std::size_t hits = 0;
     for (const std::string_view name : support::scene_names) {
-        SceneModel model = draw(name, 200, 81);
+        SceneModel model = draw_model(name, 200, 81);
         model.bodies[3].category = 4;
         Scene scene = support::scene_of(model);
         for (int k = 0; k < 40; ++k) {
@@ -98,7 +94,7 @@ TEST_CASE("scene: a ray meets what brute force meets")
     Random random(72);
     std::size_t hits = 0;
     for (const std::string_view name : support::scene_names) {
-        const SceneModel model = draw(name, 300, 91);
+        const SceneModel model = draw_model(name, 300, 91);
         Scene scene = support::scene_of(model);
         for (int k = 0; k < 100; ++k) {
             CAPTURE(name);
@@ -129,7 +125,7 @@ TEST_CASE("scene: the pairs that overlap at the start are those of brute force")
     std::size_t pairs = 0;
     for (const std::string_view name : support::scene_names) {
         CAPTURE(name);
-        const SceneModel model = draw(name, 400, 93);
+        const SceneModel model = draw_model(name, 400, 93);
         Scene scene = support::scene_of(model);
         const std::vector<BodyPair> want = model.overlapping();
         const std::span<const BodyPair> got = scene.overlapping();
@@ -144,7 +140,7 @@ TEST_CASE("scene: candidates are the pairs whose swept bounds overlap")
 {
     for (const std::string_view name : support::scene_names) {
         CAPTURE(name);
-        const SceneModel model = draw(name, 300, 94);
+        const SceneModel model = draw_model(name, 300, 94);
         Scene scene = support::scene_of(model);
         std::vector<Aabb> bounds;
         for (BodyId id = 0; id < model.bodies.size(); ++id)

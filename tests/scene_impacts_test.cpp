@@ -9,15 +9,11 @@
 #include <string>
 
 using namespace brink;
+using support::draw_model;
 using support::same;
 using support::SceneModel;
 
 namespace {
-
-SceneModel draw(std::string_view name, std::size_t n, std::uint64_t seed)
-{
-    return {support::draw_scene(name, n, seed).bodies, {}, {}};
-}
 
 void check_equal(std::span<const Impact> got, const std::vector<Impact>& want)
 {
@@ -78,7 +74,7 @@ TEST_CASE("scene: every impact and the first are those of brute force over all p
         for (const std::size_t n : {1U, 2U, 16U, 17U, 40U, 300U}) {
             CAPTURE(name);
             CAPTURE(n);
-            const SceneModel model = draw(name, n, 5 + n);
+            const SceneModel model = draw_model(name, n, 5 + n);
             impacts += model.impacts().size();
             check_against_brute_force(model, {});
         }
@@ -103,7 +99,7 @@ TEST_CASE("scene: the same with every option of time_of_impact")
     for (const Options& options : {some, rough, leaving, ignoring, now}) {
         for (const std::string_view name : {"gas", "clustered", "bullets", "rain"}) {
             CAPTURE(name);
-            check_against_brute_force(draw(name, 200, 21), {options});
+            check_against_brute_force(draw_model(name, 200, 21), {options});
         }
     }
 }
@@ -111,7 +107,7 @@ TEST_CASE("scene: the same with every option of time_of_impact")
 TEST_CASE("scene: whichever layers are switched off, the answers are the same")
 {
     for (const std::string_view name : support::scene_names) {
-        SceneModel model = draw(name, 150, 31);
+        SceneModel model = draw_model(name, 150, 31);
         for (BodyId i = 0; i < model.bodies.size(); ++i) {
             model.bodies[i].category = i % 3 == 0 ? 2 : 1;
             model.bodies[i].mask = i % 5 == 0 ? 1 : 3;
@@ -133,7 +129,7 @@ TEST_CASE("scene: 3,000 bodies")
 {
     for (const std::string_view name : {"gas", "bullets", "asleep"}) {
         CAPTURE(name);
-        const SceneModel model = draw(name, 3000, 41);
+        const SceneModel model = draw_model(name, 3000, 41);
         check_against_brute_force(model, {});
     }
 }
@@ -142,7 +138,7 @@ TEST_CASE("scene: the ledger tells of every pair once")
 {
     for (const std::string_view name : support::scene_names) {
         CAPTURE(name);
-        const SceneModel model = draw(name, 500, 51);
+        const SceneModel model = draw_model(name, 500, 51);
         Scene scene = support::scene_of(model);
         std::size_t unbounded = 0;
         for (const Body& b : model.bodies)
@@ -167,7 +163,7 @@ TEST_CASE("scene: what a budget leaves open is told, and the times are safe")
     std::size_t undecided = 0;
     for (const std::string_view name : {"bullets", "rain", "gas"}) {
         CAPTURE(name);
-        const SceneModel model = draw(name, 400, 61);
+        const SceneModel model = draw_model(name, 400, 61);
         Scene scene = support::scene_of(model);
         const std::vector<Impact> want = model.impacts();
         REQUIRE(want.size() > 0);
@@ -195,7 +191,7 @@ TEST_CASE("scene: what a budget leaves open is told, and the times are safe")
 
 TEST_CASE("scene: a visitor may narrow the time and stop")
 {
-    const SceneModel model = draw("rain", 400, 71);
+    const SceneModel model = draw_model("rain", 400, 71);
     Scene scene = support::scene_of(model);
     const std::vector<Impact> want = model.impacts();
     REQUIRE(want.size() > 20);

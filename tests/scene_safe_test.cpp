@@ -108,7 +108,7 @@ TEST_CASE("scene: nothing overlaps when all halt at their safe times")
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
             CAPTURE(name);
             CAPTURE(seed);
-            const SceneModel model{support::draw_scene(name, 90, seed).bodies, {}, {}};
+            const SceneModel model = support::draw_model(name, 90, seed);
             Scene scene = support::scene_of(model);
             SceneOptions options;
             if (seed == 2) options.pair.target_gap = 0.01;
@@ -134,7 +134,7 @@ TEST_CASE("scene: nothing overlaps when all halt at their safe times")
 TEST_CASE("scene: safe times with a budget are earlier, never later")
 {
     for (const std::string_view name : {"bullets", "rain"}) {
-        const SceneModel model{support::draw_scene(name, 150, 4).bodies, {}, {}};
+        const SceneModel model = support::draw_model(name, 150, 4);
         Scene scene = support::scene_of(model);
         for (const std::size_t budget : {0U, 5U, 50U}) {
             CAPTURE(name);

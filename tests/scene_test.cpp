@@ -16,16 +16,12 @@
 #endif
 
 using namespace brink;
+using support::draw_model;
 using support::Random;
 using support::same;
 using support::SceneModel;
 
 namespace {
-
-SceneModel draw(std::string_view name, std::size_t n, std::uint64_t seed)
-{
-    return {support::draw_scene(name, n, seed).bodies, std::vector<bool>(n, false), {}};
-}
 
 void check_equal(Scene& scene, const SceneModel& model)
 {
@@ -89,7 +85,7 @@ TEST_CASE("scene: after any changes it answers like one made anew")
     Random random(3);
     for (const std::string_view name : support::scene_names) {
         CAPTURE(name);
-        SceneModel model = draw(name, 120, 7);
+        SceneModel model = draw_model(name, 120, 7);
         Scene scene = support::scene_of(model);
         for (int step = 0; step < 25; ++step) {
             CAPTURE(step);
@@ -107,7 +103,7 @@ TEST_CASE("scene: bodies far away, tiny, huge or at one point are not lost")
         for (const double offset : {0.0, 1e3, 1e7}) {
             CAPTURE(scale);
             CAPTURE(offset);
-            SceneModel model = draw("gas", 60, 13);
+            SceneModel model = draw_model("gas", 60, 13);
             for (Body& b : model.bodies) {
                 b.motion.start.position = scale * (b.motion.start.position + Vec3(offset, 0, 0));
                 b.motion.translation = scale * b.motion.translation;
@@ -129,7 +125,7 @@ TEST_CASE("scene: bodies far away, tiny, huge or at one point are not lost")
 TEST_CASE("scene: what is invalid is refused by name, and nothing changes")
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    SceneModel model = draw("gas", 30, 3);
+    SceneModel model = draw_model("gas", 30, 3);
     Scene scene = support::scene_of(model);
     scene.remove(4);
     model.gone[4] = true;
@@ -186,7 +182,7 @@ TEST_CASE("scene: the same bits on any number of threads")
 {
     for (const std::string_view name : support::scene_names) {
         CAPTURE(name);
-        const SceneModel model = draw(name, 3000, 17);
+        const SceneModel model = draw_model(name, 3000, 17);
         std::vector<Impact> one;
         std::vector<SafeTime> safe;
         Ledger ledger;

@@ -159,12 +159,4 @@ void Search::end_finding()
     }
 }
 
-std::size_t Search::bytes() const
-{
-    std::size_t sum = chunks_.capacity() * sizeof(Chunk) + pending_.capacity() * sizeof(Item);
-    for (const Chunk& c : chunks_)
-        sum += c.candidates.a.capacity() * sizeof(Candidate) + c.impacts.capacity() * sizeof(Impact);
-    return sum;
-}
-
 } // namespace brink

@@ -98,7 +98,6 @@ public:
     }
     /// As if nothing had been searched.
     void forget();
-    std::size_t bytes() const;
 
 private:
     void begin(const BodyStore&, const BroadPhase&, const Plan&);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_brute.h"
 
+#include "scenes.h"
+
 #include <brink/overlap.h>
 
 #include <algorithm>
@@ -111,6 +113,13 @@ std::vector<RayImpact> SceneModel::rays(const Vec3& origin, const Vec3& directio
     std::stable_sort(found.begin(), found.end(),
                      [](const RayImpact& x, const RayImpact& y) { return x.hit.t < y.hit.t; });
     return found;
+}
+
+SceneModel draw_model(std::string_view name, std::size_t n, std::uint64_t seed)
+{
+    SceneModel model{draw_scene(name, n, seed).bodies, {}, {}};
+    model.gone.resize(model.bodies.size(), false);
+    return model;
 }
 
 Scene scene_of(const SceneModel& model)

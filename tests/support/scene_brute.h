@@ -3,6 +3,7 @@
 
 #include <brink/scene.h>
 
+#include <string_view>
 #include <vector>
 
 /// A scene's questions answered pair by pair, without any culling.
@@ -24,6 +25,9 @@ struct SceneModel {
     std::vector<RayImpact> rays(const Vec3& origin, const Vec3& direction, double t_max,
                                 const SceneOptions& = {}) const;
 };
+
+/// The bodies of draw_scene(), all of them there.
+SceneModel draw_model(std::string_view name, std::size_t n, std::uint64_t seed);
 
 /// The bodies of a model in a scene, added one by one.
 Scene scene_of(const SceneModel&);
