@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ingredients.h"
-
 #include "machine.h"
 #include "pair_sample.h"
+#include "part.h"
 
 #include <approach_with.h>
 #include <fmt/format.h>
@@ -27,7 +26,8 @@ constexpr std::size_t shown = 4; // of these in the table; for the last one the 
 constexpr std::array<std::string_view, shown> names{"length_bound", "directional_bound", "second_order",
                                                     "features_axis"};
 constexpr double tolerance = 1e-9;
-constexpr double same_time = 1e-6; // of t, in steps
+constexpr int quick_queries = 2'000; // see Part::run
+constexpr double same_time = 1e-6;   // of t, in steps
 
 struct Tally {
     std::int64_t sum = 0;
@@ -127,7 +127,7 @@ std::string table(const std::vector<PairCounts>& all)
     return text + std::string(legend.substr(1));
 }
 
-std::string csv(const std::vector<PairCounts>& all)
+std::string table_csv(const std::vector<PairCounts>& all)
 {
     std::string text = "pair,hits,counted,mean,max,capped,disagreements,most_apart\n";
     const auto row = [&](const PairCounts& c, std::string_view what, const Tally& tally, const With& with) {
@@ -165,20 +165,50 @@ int check(const std::vector<PairCounts>& all)
     return others;
 }
 
-} // namespace
+/// Distance evaluations per hit of pairs that turn by up to 60 degrees, as ingredients of the certificate are
+/// added one by one, and the library's own.
+class Ingredients final : public Part {
+public:
+    std::string_view name() const override { return "ingredients"; }
+    std::string_view about() const override
+    {
+        return "distance evaluations per hit as the ingredients of the certificate are added";
+    }
+    std::string_view csv() const override { return "ingredients.csv"; }
+    void describe(CLI::App&) override;
+    std::uint64_t run(const Output&, Effort) override;
+    /// None: it counts, and times nothing.
+    std::vector<Figure> figures(const Csv&) const override { return {}; }
+    std::vector<Picture> pictures() const override { return {}; }
 
-int run_ingredients(const Output& output, const IngredientOptions& options)
+private:
+    int queries_ = 10'000;
+};
+
+void Ingredients::describe(CLI::App& command)
 {
+    command.add_option("--queries", queries_, "of each pair, half of them hits; the hits count")
+        ->check(CLI::Range(100, 100'000))
+        ->capture_default_str();
+}
+
+std::uint64_t Ingredients::run(const Output& output, Effort effort)
+{
+    const int queries = effort == Effort::quick ? std::min(queries_, quick_queries) : queries_;
     std::vector<PairCounts> all;
-    Progress progress("ingredients", static_cast<int>(pairs.size()) * (options.queries / 2));
+    Progress progress("ingredients", static_cast<int>(pairs.size()) * (queries / 2));
     for (const PairKind& kind : pairs_turning(Turning::to_60_degrees))
         if (std::find(pairs.begin(), pairs.end(), kind.name) != pairs.end())
-            all.push_back(count(kind, options.queries, progress));
-    output.write("ingredients.csv", csv(all));
+            all.push_back(count(kind, queries, progress));
+    output.write(csv(), table_csv(all));
     fmt::print("{}\n\n{}\n", machine(), table(all));
     const int others = check(all);
-    fmt::print("Figures: {}\n", output.path_of("ingredients.csv"));
-    return others;
+    fmt::print("Figures: {}\n", output.path_of(csv()));
+    return static_cast<std::uint64_t>(others);
 }
+
+} // namespace
+
+std::unique_ptr<Part> ingredients_part() { return std::make_unique<Ingredients>(); }
 
 } // namespace brink::bench

@@ -1,152 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "accuracy.h"
-#include "ingredients.h"
-#include "pair_bench.h"
-#include "pair_sample.h"
-#include "pairs.h"
-#include "scene_bench.h"
-#include "stability.h"
-#include "tunnelling.h"
+#include "part.h"
+#include "report.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <stdexcept>
 
 namespace {
 
 using namespace brink::bench;
 
+constexpr int broke_a_promise = 1;
 constexpr int bad_input = 2;
 
-struct Arguments {
+struct Command {
     std::string out = "out";
-    TunnellingOptions tunnelling;
-    CLI::App* tunnelling_part = nullptr;
-    CLI::App* pairs_part = nullptr;
-    AccuracyOptions accuracy;
-    CLI::App* accuracy_part = nullptr;
-    StabilityOptions stability;
-    CLI::App* stability_part = nullptr;
-    IngredientOptions ingredients;
-    CLI::App* ingredients_part = nullptr;
-    SceneBenchOptions scene;
-    bool quick = false; // a scene to 1e5 bodies
-    CLI::App* scene_part = nullptr;
-    std::vector<std::string> pairs{"all"};
-    bool rows = false; // only print this build's rows
+    Effort effort = Effort::usual;
+    CLI::App* all = nullptr;
+    bool go_on = false;
+    std::vector<CLI::App*> parts; // as all_parts()
 };
 
-std::vector<std::string> or_all(std::vector<std::string> names)
-{
-    names.emplace_back("all");
-    return names;
-}
-
-void describe_stability(CLI::App& part, StabilityOptions& options)
-{
-    part.add_option("--cases", options.cases,
-                    "of each pair and class; 0: 20,000 of two spheres, 2,000 of the others")
-        ->capture_default_str();
-    part.add_option("--pairs", options.pairs, "which, separated by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(or_all(stability_pairs())))
-        ->capture_default_str();
-    part.add_option("--classes", options.classes, "of difficulty: which, separated by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(or_all(stability_classes())))
-        ->capture_default_str();
-    part.add_option("--seed", options.seed, "of the random cases")->capture_default_str();
-    part.add_option("--first", options.first, "index of the first case: to go on where another run ended")
-        ->capture_default_str();
-    part.add_option("--threads", options.threads, "workers, each with an FCL process of its own; 0: all")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-}
-
-void describe_accuracy(CLI::App& part, AccuracyOptions& options)
-{
-    part.add_option("--queries", options.queries, "of each pair, half of them hits")
-        ->check(CLI::Range(100, 100'000))
-        ->capture_default_str();
-    part.add_option("--pairs", options.pairs, "which, separated by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(or_all(accuracy_pairs())))
-        ->capture_default_str();
-}
-
-void describe_scene(CLI::App& part, SceneBenchOptions& options)
-{
-    part.add_option("--n", options.n, "bodies, separated by commas")
-        ->delimiter(',')
-        ->check(CLI::Range(100, 10'000'000))
-        ->capture_default_str();
-    part.add_option("--scenes", options.scenes, "which, separated by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(or_all(bench_scenes())))
-        ->capture_default_str();
-    part.add_option("--orders", options.orders, "in which the bodies are stored")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"random", "spatial"}))
-        ->capture_default_str();
-    part.add_option("--threads", options.threads, "of brink, separated by commas; 1 is always measured")
-        ->delimiter(',')
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
-    part.add_option("--steps", options.steps, "that medians are of; three of what takes long")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    part.add_option("--layers", options.layers_n,
-                    "bodies of the scenes whose layers are switched off; 0: none")
-        ->check(CLI::Range(0, 100'000))
-        ->capture_default_str();
-}
-
-void describe(CLI::App& app, Arguments& arguments)
+void describe(CLI::App& app, Command& command, const std::vector<std::unique_ptr<Part>>& parts)
 {
     app.require_subcommand(0, 1); // none is told in our own words
-    arguments.tunnelling_part = app.add_subcommand(
-        "tunnelling", "bodies through thin walls: discrete checks, FCL and brink; which are lost");
-    arguments.pairs_part = app.add_subcommand(
-        "pairs", "ns per query of pairs that move straight and pairs that turn, FCL beside it");
-    arguments.accuracy_part = app.add_subcommand(
-        "accuracy", "run time against error of t where both bodies turn, at tolerances 1e-3 to 1e-12; FCL "
-                    "beside it");
-    describe_accuracy(*arguments.accuracy_part, arguments.accuracy);
-    arguments.stability_part = app.add_subcommand(
-        "stability", "accuracy of t and wrong decisions where it is hard, against 200 digits; "
-                     "textbook formulas and FCL beside it");
-    describe_stability(*arguments.stability_part, arguments.stability);
-    arguments.ingredients_part = app.add_subcommand(
-        "ingredients", "distance evaluations per hit as the ingredients of the certificate are added");
-    arguments.ingredients_part
-        ->add_option("--queries", arguments.ingredients.queries, "of each pair, half of them hits")
-        ->check(CLI::Range(100, 100'000))
-        ->capture_default_str();
-    arguments.scene_part = app.add_subcommand(
-        "scene", "ms per step of whole scenes of moving bodies; FCL's and Bullet's broad phases beside it");
-    describe_scene(*arguments.scene_part, arguments.scene);
-    arguments.scene_part->add_flag("--quick", arguments.quick, "none of more than 100,000 bodies");
-    for (CLI::App* part : {arguments.tunnelling_part, arguments.pairs_part, arguments.accuracy_part,
-                           arguments.stability_part, arguments.ingredients_part, arguments.scene_part})
-        part->add_option("--out", arguments.out, "folder for CSVs and pictures")->capture_default_str();
-    arguments.tunnelling_part
-        ->add_option("--crossings", arguments.tunnelling.crossings,
-                     "true crossings in each scene, over all speeds")
-        ->check(CLI::Range(17, 10'000'000))
-        ->capture_default_str();
-    arguments.tunnelling_part->add_option("--seed", arguments.tunnelling.seed, "of the random crossings")
-        ->capture_default_str();
-    arguments.pairs_part->add_option("--pairs", arguments.pairs, "which, separated by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(or_all(pair_names())))
-        ->capture_default_str();
-    arguments.pairs_part->add_flag(
-        "--rows", arguments.rows,
-        "only print this build's rows, as CSV on stdout (how brink-bench asks brink-bench-v3)");
+    const auto measures = [&command](CLI::App* part) {
+        part->add_option("--out", command.out, "folder for CSVs and pictures")->capture_default_str();
+        part->add_flag_callback(
+            "--quick", [&command] { command.effort = Effort::quick; },
+            "fewer queries: all parts in under ten minutes");
+    };
+    command.all = app.add_subcommand("all", "every part below, and a report of them: report.html");
+    measures(command.all);
+    command.all->add_flag("--go-on", command.go_on, "leave out the parts whose CSV is in the folder");
+    for (const std::unique_ptr<Part>& part : parts) {
+        command.parts.push_back(app.add_subcommand(std::string(part->name()), std::string(part->about())));
+        part->describe(*command.parts.back());
+        measures(command.parts.back());
+    }
 }
 
 /// What is wrong, and what would be right.
@@ -157,45 +49,29 @@ int explain(const CLI::App& app, std::string_view wrong)
     return bad_input;
 }
 
-SceneBenchOptions scene_options(const Arguments& arguments)
+int run(const Command& command, const std::vector<std::unique_ptr<Part>>& parts)
 {
-    SceneBenchOptions options = arguments.scene;
-    if (arguments.quick) std::erase_if(options.n, [](std::size_t n) { return n > 100'000; });
-    if (options.n.empty()) throw std::invalid_argument("--quick leaves nothing of --n");
-    return options;
-}
-
-int run(const Arguments& arguments, const std::filesystem::path& program)
-{
-    const auto all = std::find(arguments.pairs.begin(), arguments.pairs.end(), "all");
-    const std::vector<std::string> names = all == arguments.pairs.end() ? arguments.pairs : pair_names();
-    if (arguments.rows) {
-        fmt::print("{}", timings_csv(measure_pairs(Rivals::none, names)));
-        return 0;
-    }
-    const Output output(arguments.out);
-    if (arguments.tunnelling_part->parsed()) return run_tunnelling(output, arguments.tunnelling) == 0 ? 0 : 1;
-    if (arguments.accuracy_part->parsed()) return run_accuracy(output, arguments.accuracy) == 0 ? 0 : 1;
-    if (arguments.stability_part->parsed()) return run_stability(output, arguments.stability) == 0 ? 0 : 1;
-    if (arguments.ingredients_part->parsed())
-        return run_ingredients(output, arguments.ingredients) == 0 ? 0 : 1;
-    if (arguments.scene_part->parsed()) return run_scenes(output, scene_options(arguments)) == 0 ? 0 : 1;
-    run_pairs(output, names, program.parent_path() / "brink-bench-v3");
-    return 0;
+    const Output output(command.out);
+    std::uint64_t broken = 0;
+    if (command.all->parsed())
+        broken = run_all(output, command.effort, command.go_on ? Parts::missing : Parts::all);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (command.parts[i]->parsed()) broken = parts[i]->run(output, command.effort);
+    return broken == 0 ? 0 : broke_a_promise;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-    CLI::App app("What brink finds, and how fast, beside FCL", "brink-bench");
-    Arguments arguments;
-    describe(app, arguments);
+    CLI::App app("What brink finds, and how fast, beside its rivals", "brink-bench");
+    const std::vector<std::unique_ptr<Part>> parts = all_parts();
+    Command command;
+    describe(app, command, parts);
     try {
         app.parse(argc, argv);
-        if (app.get_subcommands().empty())
-            return explain(app, "which part? tunnelling, pairs, accuracy, stability, ingredients or scene");
-        return run(arguments, std::filesystem::canonical("/proc/self/exe"));
+        if (app.get_subcommands().empty()) return explain(app, "which part?");
+        return run(command, parts);
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {

@@ -22,6 +22,7 @@ constexpr int still_repetitions = 15;
 constexpr int turning_repetitions = 7;
 constexpr std::size_t brink_queries = 120'000; // half of them hit
 constexpr std::size_t fcl_queries = 4'096;
+constexpr int quick_repetitions = 3;
 
 /// What one benchmark asks, over and over: a list of pairs, as many as a repetition has iterations.
 struct Job {
@@ -85,7 +86,8 @@ private:
 /// Everything to be measured, and what it is measured on.
 class Bench {
 public:
-    Bench(Rivals rivals, const std::vector<std::string>& names) : rivals_(rivals)
+    Bench(Rivals rivals, const std::vector<std::string>& names, Effort effort)
+        : rivals_(rivals), effort_(effort)
     {
         const auto named = [&](const PairKind& kind) {
             return std::find(names.begin(), names.end(), kind.name) != names.end();
@@ -123,7 +125,7 @@ private:
             timing.who = who;
             timing.what = what;
             timing.queries = static_cast<int>(count);
-            timing.repetitions = turning == Turning::none ? still_repetitions : turning_repetitions;
+            timing.repetitions = repetitions(turning);
             jobs_.push_back({timing, turning, &sample, &pairs});
         };
         add_job(build_name(), "mixed", sample.mixed, brink_queries);
@@ -134,6 +136,12 @@ private:
         add_job("FCL", "mixed", sample.mixed, fcl_queries);
         for (const Body& body : sample.bodies)
             fcl_[&sample].emplace_back(body.shape);
+    }
+
+    int repetitions(Turning turning) const
+    {
+        if (effort_ == Effort::quick) return quick_repetitions;
+        return turning == Turning::none ? still_repetitions : turning_repetitions;
     }
 
     /// FCL's motions cannot turn by more than a half turn.
@@ -204,6 +212,7 @@ private:
     }
 
     Rivals rivals_;
+    Effort effort_;
     std::vector<std::unique_ptr<const Sample>> samples_;
     std::map<const Sample*, std::vector<support::FclBody>> fcl_;
     std::vector<Job> jobs_;
@@ -211,9 +220,9 @@ private:
 
 } // namespace
 
-std::vector<Timing> measure_pairs(Rivals rivals, const std::vector<std::string>& names)
+std::vector<Timing> measure_pairs(Rivals rivals, const std::vector<std::string>& names, Effort effort)
 {
-    return Bench(rivals, names).run();
+    return Bench(rivals, names, effort).run();
 }
 
 } // namespace brink::bench

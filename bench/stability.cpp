@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stability.h"
-
 #include "machine.h"
+#include "part.h"
 #include "stability_case.h"
 #include "stability_picture.h"
 #include "stability_report.h"
@@ -11,16 +10,26 @@
 #include <algorithm>
 #include <atomic>
 #include <fmt/format.h>
+#include <map>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
 
 namespace brink::bench {
 namespace {
 
 constexpr std::uint64_t block_size = 100;
-constexpr int fcl_patience_ms = 100; // one answer takes microseconds, where it does not hang
+constexpr int fcl_patience_ms = 100;       // one answer takes microseconds, where it does not hang
+constexpr std::uint64_t quick_cases = 200; // see Part::run
 constexpr std::size_t complaints_shown = 4;
+
+struct StabilityOptions {
+    std::uint64_t cases = 0; // of each pair and class; 0: by default
+    std::vector<std::string> pairs{"all"};
+    std::vector<std::string> classes{"all"};
+    std::uint64_t seed = 20261122;
+    std::uint64_t first = 0; // index of the first case, so that a campaign can run in parts
+    unsigned threads = 0;    // 0: as many as the machine has
+};
 
 std::uint64_t cases_of(const StabilityOptions& options, const support::Pair& pair)
 {
@@ -28,20 +37,37 @@ std::uint64_t cases_of(const StabilityOptions& options, const support::Pair& pai
     return pair.second == 0 ? 20'000 : 2'000;
 }
 
-bool wanted(const std::vector<std::string>& names, std::string_view name)
+std::vector<std::string> stability_pairs()
 {
-    const auto is = [&](const std::string& n) { return n == name || n == "all"; };
-    return std::any_of(names.begin(), names.end(), is);
+    std::vector<std::string> names;
+    for (const support::Pair& pair : support::all_pairs())
+        if (pair.closed_form()) names.push_back(pair.name());
+    return names;
+}
+
+std::vector<std::string> stability_classes()
+{
+    std::vector<std::string> names;
+    for (const support::StressClass& c : support::stress_classes)
+        names.emplace_back(c.name);
+    return names;
+}
+
+bool holds(const std::vector<std::string>& names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 std::vector<Block> plan(const StabilityOptions& options)
 {
     std::vector<Block> blocks;
+    const std::vector<std::string> names = chosen(options.pairs, stability_pairs());
+    const std::vector<std::string> classes = chosen(options.classes, stability_classes());
     const std::vector<support::Pair> pairs = support::all_pairs();
     for (std::size_t p = 0; p < pairs.size(); ++p) {
-        if (!pairs[p].closed_form() || !wanted(options.pairs, pairs[p].name())) continue;
+        if (!pairs[p].closed_form() || !holds(names, pairs[p].name())) continue;
         for (std::size_t k = 0; k < support::stress_classes.size(); ++k) {
-            if (!wanted(options.classes, support::stress_classes[k].name)) continue;
+            if (!holds(classes, support::stress_classes[k].name)) continue;
             const std::uint64_t end = options.first + cases_of(options, pairs[p]);
             for (std::uint64_t i = options.first; i < end; i += block_size)
                 blocks.push_back({pairs[p], {p, k, 0}, options.seed, i, std::min(end, i + block_size)});
@@ -86,41 +112,95 @@ void print_complaints(const Scores& scores)
         fmt::print("... and one at least in {} more pairs and classes.\n", first.size() - complaints_shown);
 }
 
-} // namespace
+/// Error of t and wrong decisions of brink, the textbook's formulas and FCL, pair by pair and class by class,
+/// against the referee of 200 digits.
+class Stability final : public Part {
+public:
+    std::string_view name() const override { return "stability"; }
+    std::string_view about() const override
+    {
+        return "error of t and wrong decisions where it is hard, against 200 digits; textbook formulas and "
+               "FCL "
+               "beside it";
+    }
+    std::string_view csv() const override { return "stability.csv"; }
+    void describe(CLI::App&) override;
+    std::uint64_t run(const Output&, Effort) override;
+    std::vector<Figure> figures(const Csv&) const override;
+    std::vector<Picture> pictures() const override;
 
-std::vector<std::string> stability_pairs()
+private:
+    StabilityOptions options_;
+};
+
+void Stability::describe(CLI::App& command)
 {
-    std::vector<std::string> names;
-    for (const support::Pair& pair : support::all_pairs())
-        if (pair.closed_form()) names.push_back(pair.name());
-    return names;
+    command
+        .add_option("--cases", options_.cases,
+                    "of each pair and class; 0: 20,000 of two spheres, 2,000 of the others")
+        ->capture_default_str();
+    add_choice(command, "--pairs", options_.pairs, stability_pairs());
+    add_choice(command, "--classes", options_.classes, stability_classes());
+    command.add_option("--seed", options_.seed, "of the random cases")->capture_default_str();
+    command
+        .add_option("--first", options_.first, "index of the first case: to go on where another run ended")
+        ->capture_default_str();
+    command.add_option("--threads", options_.threads, "workers, each with an FCL process of its own; 0: all")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
 }
 
-std::vector<std::string> stability_classes()
+std::uint64_t Stability::run(const Output& output, Effort effort)
 {
-    std::vector<std::string> names;
-    for (const support::StressClass& c : support::stress_classes)
-        names.emplace_back(c.name);
-    return names;
-}
-
-std::uint64_t run_stability(const Output& output, const StabilityOptions& options)
-{
-    if (!have_referee)
-        throw std::runtime_error("stability is judged in 200 digits, and this build has none "
-                                 "(Debian: libboost-dev libmpfr-dev libgmp-dev; then configure again)");
-    const unsigned threads = options.threads > 0 ? static_cast<unsigned>(options.threads)
-                                                 : std::max(1U, std::thread::hardware_concurrency());
+    if (!have_referee) {
+        fmt::print("stability is judged in 200 digits, and this build has none "
+                   "(Debian: libboost-dev libmpfr-dev libgmp-dev; then configure again): left out\n");
+        return 0;
+    }
+    StabilityOptions options = options_;
+    if (effort == Effort::quick && options.cases == 0) options.cases = quick_cases;
+    const unsigned threads =
+        options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
     const Scores scores = measure(plan(options), threads);
-    output.write("stability.csv", stability_csv(scores));
+    output.write(csv(), stability_csv(scores));
     fmt::print("{}\n{}\n", machine(), stability_table(scores));
     print_complaints(scores);
     fmt::print("{}\n", output.draw("stability", stability_plot(scores)));
-    fmt::print("Figures: {}\n", output.path_of("stability.csv"));
+    fmt::print("Figures: {}\n", output.path_of(csv()));
     std::uint64_t broken = 0;
     for (const auto& [spot, by_solver] : scores.at)
         broken += by_solver[static_cast<std::size_t>(Solver::brink)].broken;
     return broken;
 }
+
+/// All classes of a pair together. The error is in units of t's last place there, and no step's: left out.
+std::vector<Figure> Stability::figures(const Csv& csv) const
+{
+    std::map<std::pair<std::string, std::string>, Figure> sums;
+    for (std::size_t i = 0; i < csv.rows(); ++i) {
+        Figure& f = sums[{csv.text(i, "pair"), csv.text(i, "method")}];
+        if (f.cases < 0) f.cases = f.late = f.wrong = 0;
+        f.cases += csv.count(i, "cases");
+        f.late += csv.count(i, "late");
+        f.wrong += csv.count(i, "wrong");
+    }
+    std::vector<Figure> figures;
+    for (auto& [key, figure] : sums) {
+        figure.question = key.first;
+        figure.who = key.second;
+        figures.push_back(figure);
+    }
+    return figures;
+}
+
+std::vector<Picture> Stability::pictures() const
+{
+    return {{"stability",
+             "How far t is off as a query gets harder: brink's line stays at one unit of the last place."}};
+}
+
+} // namespace
+
+std::unique_ptr<Part> stability_part() { return std::make_unique<Stability>(); }
 
 } // namespace brink::bench

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tunnelling.h"
-
 #include "machine.h"
 #include "method.h"
+#include "part.h"
 #include "tunnelling_report.h"
 
 #include <print.h>
@@ -18,6 +17,7 @@ namespace {
 
 constexpr int speeds = 17;             // from 0.1 to 1000 wall thicknesses a step, four a decade
 constexpr double lateness = 1e-3;      // of the step: an answer later than that counts as late
+constexpr int quick_crossings = 3'400; // see Part::run
 constexpr double least_seconds = 4e-3; // that one figure of ns per query rests on
 
 double speed(int k) { return std::pow(10, -1 + 0.25 * k); }
@@ -96,20 +96,77 @@ std::vector<Row> sweep(int each, std::uint64_t seed)
     return rows;
 }
 
-} // namespace
+/// Sweeps speed over wall thickness for every scene and method: the share of true crossings missed, late
+/// answers, and time per query.
+class Tunnelling final : public Part {
+public:
+    std::string_view name() const override { return "tunnelling"; }
+    std::string_view about() const override
+    {
+        return "bodies through thin walls: discrete checks, FCL and brink; which are lost";
+    }
+    std::string_view csv() const override { return "tunnelling.csv"; }
+    void describe(CLI::App&) override;
+    std::uint64_t run(const Output&, Effort) override;
+    std::vector<Figure> figures(const Csv&) const override;
+    std::vector<Picture> pictures() const override;
 
-int run_tunnelling(const Output& output, const TunnellingOptions& options)
+private:
+    int crossings_ = 34'000;
+    std::uint64_t seed_ = 20261122;
+};
+
+void Tunnelling::describe(CLI::App& command)
 {
-    const int each = (options.crossings + speeds - 1) / speeds;
-    const std::vector<Row> rows = sweep(each, options.seed);
-    output.write("tunnelling.csv", tunnelling_csv(rows));
+    command.add_option("--crossings", crossings_, "true crossings in each scene, over all speeds")
+        ->check(CLI::Range(speeds, 10'000'000))
+        ->capture_default_str();
+    command.add_option("--seed", seed_, "of the random crossings")->capture_default_str();
+}
+
+std::uint64_t Tunnelling::run(const Output& output, Effort effort)
+{
+    const int wanted = effort == Effort::quick ? std::min(crossings_, quick_crossings) : crossings_;
+    const int each = (wanted + speeds - 1) / speeds;
+    const std::vector<Row> rows = sweep(each, seed_);
+    output.write(csv(), tunnelling_csv(rows));
     fmt::print("{}\n{}\n", machine(), tunnelling_table(rows));
     fmt::print("{}\n", output.draw("tunnelling", tunnelling_plot(rows)));
-    fmt::print("Figures: {}\n", output.path_of("tunnelling.csv"));
-    int missed = 0;
+    fmt::print("Figures: {}\n", output.path_of(csv()));
+    std::uint64_t missed = 0;
     for (const Scene& scene : scenes)
-        missed += total(rows, scene, methods.back()).missed;
+        missed += static_cast<std::uint64_t>(total(rows, scene, methods.back()).missed);
     return missed;
 }
+
+/// All speeds of a scene and method together.
+std::vector<Figure> Tunnelling::figures(const Csv& csv) const
+{
+    std::vector<Figure> figures;
+    for (std::size_t i = 0; i < csv.rows(); ++i) {
+        const std::string& scene = csv.text(i, "scene");
+        const std::string& method = csv.text(i, "method");
+        if (figures.empty() || figures.back().question != scene || figures.back().who != method) {
+            figures.push_back(
+                {.question = scene, .who = method, .time = 0, .cases = 0, .missed = 0, .late = 0});
+        }
+        Figure& f = figures.back();
+        f.time += csv.number(i, "ns_per_query") / speeds;
+        f.cases += csv.count(i, "crossings");
+        f.missed += csv.count(i, "missed");
+        f.late += csv.count(i, "late");
+    }
+    return figures;
+}
+
+std::vector<Picture> Tunnelling::pictures() const
+{
+    return {{"tunnelling", "A discrete check loses the fast ones, and the more the faster they are; brink's "
+                           "line lies on zero."}};
+}
+
+} // namespace
+
+std::unique_ptr<Part> tunnelling_part() { return std::make_unique<Tunnelling>(); }
 
 } // namespace brink::bench

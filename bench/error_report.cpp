@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "accuracy_point.h"
+#include "error_point.h"
 
 #include <fmt/format.h>
 
@@ -15,14 +15,14 @@ FCL's conservative advancement ignores the tolerance that it is given: it has on
 
 } // namespace
 
-std::string accuracy_table(const std::vector<AccuracyPoint>& points)
+std::string error_table(const std::vector<ErrorPoint>& points)
 {
     std::string text = "Run time and error of t, both bodies turning by up to 60 degrees\n";
     text += fmt::format(
         "{:<16} {:<6} {:>9} {:>6} | {:>7} {:>5} | {:>8} {:>8} {:>8} | {:>5} | {:>6} {:>5} {:>5}\n", "pair",
         "solver", "tolerance", "hits", "ns", "+-", "p50", "p99", "max", "calls", "missed", "late", "undec");
     std::string_view last;
-    for (const AccuracyPoint& p : points) {
+    for (const ErrorPoint& p : points) {
         const bool brink = p.who == "brink";
         text += fmt::format(
             "{:<16} {:<6} {:>9} {:>6} | {:>7.0f} {:>5.0f} | {:>8.1e} {:>8.1e} {:>8.1e} | {:>5} | "
@@ -35,12 +35,12 @@ std::string accuracy_table(const std::vector<AccuracyPoint>& points)
     return text + std::string(legend.substr(1));
 }
 
-std::string accuracy_csv(const std::vector<AccuracyPoint>& points)
+std::string error_csv(const std::vector<ErrorPoint>& points)
 {
     std::string text =
         "pair,who,tolerance,hits,ns_per_hit,standard_deviation_ns,p50_error,p99_error,max_error,"
         "calls_mean,missed,late,undecided\n";
-    for (const AccuracyPoint& p : points)
+    for (const ErrorPoint& p : points)
         text += fmt::format("{},{},{:g},{},{:.2f},{:.2f},{:.3e},{:.3e},{:.3e},{:.3f},{},{},{}\n", p.pair,
                             p.who, p.tolerance, p.hits, p.ns, p.deviation, p.p50, p.p99, p.most, p.calls,
                             p.missed, p.late, p.undecided);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "accuracy.h"
-
-#include "accuracy_point.h"
+#include "error_point.h"
 #include "machine.h"
 #include "pair_sample.h"
+#include "part.h"
 
 #include <benchmark/benchmark.h>
 #include <fcl.h>
@@ -22,6 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 3> pairs{"capsule-capsule", "box-box", "hull-hull"};
 constexpr std::array tolerances{1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12};
 constexpr int repetitions = 15;
+constexpr int quick_queries = 600; // see Part::run
 
 /// A query with a contact that does not graze.
 struct Hit {
@@ -77,7 +77,7 @@ std::optional<double> ask_fcl(const Hits& of, const Pair& pair)
 }
 
 /// The errors of t, from the answers: empty for a hit that was missed.
-void judge(AccuracyPoint& point, const Hits& of, const std::vector<std::optional<double>>& answers)
+void judge(ErrorPoint& point, const Hits& of, const std::vector<std::optional<double>>& answers)
 {
     std::vector<double> errors;
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -100,9 +100,9 @@ void judge(AccuracyPoint& point, const Hits& of, const std::vector<std::optional
     point.most = errors.back();
 }
 
-AccuracyPoint brink_point(const Hits& of, double tolerance)
+ErrorPoint brink_point(const Hits& of, double tolerance)
 {
-    AccuracyPoint point;
+    ErrorPoint point;
     point.who = "brink";
     point.tolerance = tolerance;
     std::vector<std::optional<double>> answers;
@@ -116,9 +116,9 @@ AccuracyPoint brink_point(const Hits& of, double tolerance)
     return point;
 }
 
-AccuracyPoint fcl_point(const Hits& of)
+ErrorPoint fcl_point(const Hits& of)
 {
-    AccuracyPoint point;
+    ErrorPoint point;
     point.who = "FCL";
     std::vector<std::optional<double>> answers;
     for (const Hit& hit : of.hits)
@@ -128,7 +128,7 @@ AccuracyPoint fcl_point(const Hits& of)
 }
 
 /// ns of processor time per hit, for all of them in turn.
-double time_hits(const Hits& of, const AccuracyPoint& point)
+double time_hits(const Hits& of, const ErrorPoint& point)
 {
     const std::clock_t start = std::clock();
     for (const Hit& hit : of.hits) {
@@ -142,9 +142,9 @@ double time_hits(const Hits& of, const AccuracyPoint& point)
 }
 
 /// All points of a pair; their repetitions take turns, so that all see the same machine.
-std::vector<AccuracyPoint> measure(const Hits& of, std::string_view pair)
+std::vector<ErrorPoint> measure(const Hits& of, std::string_view pair)
 {
-    std::vector<AccuracyPoint> points;
+    std::vector<ErrorPoint> points;
     for (const double tolerance : tolerances)
         points.push_back(brink_point(of, tolerance));
     points.push_back(fcl_point(of));
@@ -164,33 +164,83 @@ std::vector<AccuracyPoint> measure(const Hits& of, std::string_view pair)
     return points;
 }
 
-} // namespace
+/// Run time and error of t of pairs that turn by up to 60 degrees, at tolerances from 1e-3 to 1e-12, against
+/// long double and brute force, with FCL's conservative advancement beside it.
+class Error final : public Part {
+public:
+    std::string_view name() const override { return "error"; }
+    std::string_view about() const override
+    {
+        return "run time against error of t where both bodies turn, at tolerances 1e-3 to 1e-12; FCL beside "
+               "it";
+    }
+    std::string_view csv() const override { return "error.csv"; }
+    void describe(CLI::App&) override;
+    std::uint64_t run(const Output&, Effort) override;
+    std::vector<Figure> figures(const Csv&) const override;
+    std::vector<Picture> pictures() const override;
 
-std::vector<std::string> accuracy_pairs() { return {pairs.begin(), pairs.end()}; }
+private:
+    int queries_ = 4000;
+    std::vector<std::string> pairs_{"all"};
+};
 
-int run_accuracy(const Output& output, const AccuracyOptions& options)
+void Error::describe(CLI::App& command)
 {
-    const auto wanted = [&](std::string_view name) {
-        const auto is = [&](const std::string& n) { return n == name || n == "all"; };
-        return std::any_of(options.pairs.begin(), options.pairs.end(), is);
-    };
-    const auto count = static_cast<int>(std::count_if(pairs.begin(), pairs.end(), wanted));
-    std::vector<AccuracyPoint> points;
-    Progress progress("accuracy", count * options.queries);
+    command.add_option("--queries", queries_, "of each pair, half of them hits in brink's eyes")
+        ->check(CLI::Range(100, 100'000))
+        ->capture_default_str();
+    add_choice(command, "--pairs", pairs_, {pairs.begin(), pairs.end()});
+}
+
+std::uint64_t Error::run(const Output& output, Effort effort)
+{
+    const int queries = effort == Effort::quick ? std::min(queries_, quick_queries) : queries_;
+    const std::vector<std::string> names = chosen(pairs_, {pairs.begin(), pairs.end()});
+    std::vector<ErrorPoint> points;
+    Progress progress("error", static_cast<int>(names.size()) * queries);
     for (const PairKind& kind : pairs_turning(Turning::to_60_degrees)) {
-        if (std::find(pairs.begin(), pairs.end(), kind.name) == pairs.end() || !wanted(kind.name)) continue;
-        const Hits hits = draw_hits(kind, options.queries, progress);
-        const std::vector<AccuracyPoint> more = measure(hits, kind.name);
+        if (std::find(names.begin(), names.end(), kind.name) == names.end()) continue;
+        const Hits hits = draw_hits(kind, queries, progress);
+        const std::vector<ErrorPoint> more = measure(hits, kind.name);
         points.insert(points.end(), more.begin(), more.end());
     }
-    output.write("accuracy.csv", accuracy_csv(points));
-    fmt::print("{}\n\n{}\n", machine(), accuracy_table(points));
-    fmt::print("{}\n", output.draw("accuracy", accuracy_plot(points)));
-    fmt::print("Figures: {}\n", output.path_of("accuracy.csv"));
-    int broken = 0;
-    for (const AccuracyPoint& point : points)
-        if (point.who == "brink") broken += point.missed + point.late;
+    output.write(csv(), error_csv(points));
+    fmt::print("{}\n\n{}\n", machine(), error_table(points));
+    fmt::print("{}\n", output.draw("error", error_plot(points)));
+    fmt::print("Figures: {}\n", output.path_of(csv()));
+    std::uint64_t broken = 0;
+    for (const ErrorPoint& point : points)
+        if (point.who == "brink") broken += static_cast<std::uint64_t>(point.missed + point.late);
     return broken;
 }
+
+std::vector<Figure> Error::figures(const Csv& csv) const
+{
+    std::vector<Figure> figures;
+    for (std::size_t i = 0; i < csv.rows(); ++i) {
+        const bool brink = csv.text(i, "who") == "brink";
+        figures.push_back({.question = csv.text(i, "pair"),
+                           .who = brink ? "brink at " + csv.text(i, "tolerance") : csv.text(i, "who"),
+                           .time = csv.number(i, "ns_per_hit"),
+                           .spread = csv.number(i, "standard_deviation_ns"),
+                           .error = csv.number(i, "p50_error"),
+                           .worst = csv.number(i, "max_error"),
+                           .cases = csv.count(i, "hits"),
+                           .missed = csv.count(i, "missed"),
+                           .late = csv.count(i, "late")});
+    }
+    return figures;
+}
+
+std::vector<Picture> Error::pictures() const
+{
+    return {{"error", "Left is more exact, lower is faster: brink's curve lies below and left of FCL's point "
+                      "in each pair."}};
+}
+
+} // namespace
+
+std::unique_ptr<Part> error_part() { return std::make_unique<Error>(); }
 
 } // namespace brink::bench

@@ -7,7 +7,7 @@
 namespace brink::bench {
 
 /// One solver at one tolerance on the hits of one pair: those with a contact in the step that does not graze.
-struct AccuracyPoint {
+struct ErrorPoint {
     std::string pair;
     std::string who;                   // "brink" or "FCL"
     double tolerance = 0;              // 0: FCL, whose advancement heeds none
@@ -22,9 +22,9 @@ struct AccuracyPoint {
 };
 
 /// A block for every pair, a row for every tolerance.
-std::string accuracy_table(const std::vector<AccuracyPoint>&);
-std::string accuracy_csv(const std::vector<AccuracyPoint>&);
+std::string error_table(const std::vector<ErrorPoint>&);
+std::string error_csv(const std::vector<ErrorPoint>&);
 /// A gnuplot script, figures included, that draws run time over error, a panel for every pair.
-std::string accuracy_plot(const std::vector<AccuracyPoint>&);
+std::string error_plot(const std::vector<ErrorPoint>&);
 
 } // namespace brink::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "accuracy_point.h"
+#include "error_point.h"
 #include "output.h"
 
 #include <algorithm>
@@ -68,13 +68,13 @@ constexpr std::string_view drawing = R"GP(
 
 } // namespace
 
-std::string accuracy_plot(const std::vector<AccuracyPoint>& points)
+std::string error_plot(const std::vector<ErrorPoint>& points)
 {
     std::vector<std::string> titles;
     std::string rows;
     double least = 1e9;
     double most = 0;
-    for (const AccuracyPoint& p : points) {
+    for (const ErrorPoint& p : points) {
         const std::string title = fmt::format("\"{}\"", p.pair);
         if (titles.empty() || titles.back() != title) titles.push_back(title);
         rows += fmt::format("{} {} {:g} {:.2f} {:.3e} {:.3e}\n", titles.size(), p.who == "brink" ? 0 : 1,
@@ -82,12 +82,12 @@ std::string accuracy_plot(const std::vector<AccuracyPoint>& points)
         least = std::min(least, p.ns);
         most = std::max(most, p.ns);
     }
-    std::string text = "# Draws run time over error of t: gnuplot accuracy.gp\n";
+    std::string text = "# Draws run time over error of t: gnuplot error.gp\n";
     text += "headline = 'What accuracy costs: two bodies that turn by up to 60 degrees (in blue: "
             "brink’s tolerance)'\n";
     text += fmt::format("least = {:.0f}\nmost = {:.0f}\n", 0.7 * least, 1.8 * most);
     text += fmt::format("array title[{}] = [{}]\n$points << END\n", titles.size(), fmt::join(titles, ", "));
-    return text + rows + "END\n" + std::string(formulas) + in_both_formats("accuracy", sheet, drawing);
+    return text + rows + "END\n" + std::string(formulas) + in_both_formats("error", sheet, drawing);
 }
 
 } // namespace brink::bench
