@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "compare.h"
 #include "part.h"
 #include "report.h"
 
@@ -12,6 +13,7 @@ namespace {
 using namespace brink::bench;
 
 constexpr int broke_a_promise = 1;
+constexpr int got_worse = 1;
 constexpr int bad_input = 2;
 
 struct Command {
@@ -19,6 +21,8 @@ struct Command {
     Effort effort = Effort::usual;
     CLI::App* all = nullptr;
     bool go_on = false;
+    CLI::App* compare = nullptr;
+    std::string before, after;
     std::vector<CLI::App*> parts; // as all_parts()
 };
 
@@ -39,6 +43,11 @@ void describe(CLI::App& app, Command& command, const std::vector<std::unique_ptr
         part->describe(*command.parts.back());
         measures(command.parts.back());
     }
+    command.compare = app.add_subcommand(
+        "compare", "what got slower or less exact between two folders of results, each held "
+                   "against the rivals of its own run");
+    command.compare->add_option("old", command.before, "folder")->required();
+    command.compare->add_option("new", command.after, "folder")->required();
 }
 
 /// What is wrong, and what would be right.
@@ -51,12 +60,13 @@ int explain(const CLI::App& app, std::string_view wrong)
 
 int run(const Command& command, const std::vector<std::unique_ptr<Part>>& parts)
 {
+    if (command.compare->parsed()) return compare(command.before, command.after) == 0 ? 0 : got_worse;
     const Output output(command.out);
     std::uint64_t broken = 0;
     if (command.all->parsed())
         broken = run_all(output, command.effort, command.go_on ? Parts::missing : Parts::all);
     for (std::size_t i = 0; i < parts.size(); ++i)
-        if (command.parts[i]->parsed()) broken = parts[i]->run(output, command.effort);
+        if (command.parts[i]->parsed()) broken = run_part(*parts[i], output, command.effort);
     return broken == 0 ? 0 : broke_a_promise;
 }
 
