@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tally.h"
 
+#include "print.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
@@ -195,7 +197,8 @@ std::string report(const std::vector<Pair>& pairs, const std::vector<Tally>& tal
         out += summary(pairs[i], tallies[i]);
     for (std::size_t i = 0; i < pairs.size(); ++i)
         for (const Complaint& c : tallies[i].complaints)
-            out += fmt::format("\n// {} {}: {}: {}\n{}", pairs[i].name(), c.index, c.check, c.detail, c.code);
+            out += fmt::format("\n// {} {}: {}: {}\n{}", pairs[i].name(), c.index, c.check, c.detail,
+                               support::as_cpp(c.asked, c.note));
     return out;
 }
 
