@@ -4,6 +4,8 @@
 #include "pair_bench.h"
 #include "pair_sample.h"
 #include "pairs.h"
+#include "replay.h"
+#include "rubble.h"
 #include "scene_bench.h"
 #include "stability.h"
 #include "tunnelling.h"
@@ -34,6 +36,10 @@ struct Arguments {
     IngredientOptions ingredients;
     CLI::App* ingredients_part = nullptr;
     SceneBenchOptions scene;
+    RubbleOptions rubble;
+    CLI::App* record_part = nullptr;
+    ReplayOptions replay{recorded_workload()};
+    CLI::App* replay_part = nullptr;
     bool quick = false; // a scene to 1e5 bodies
     CLI::App* scene_part = nullptr;
     std::vector<std::string> pairs{"all"};
@@ -130,8 +136,17 @@ void describe(CLI::App& app, Arguments& arguments)
         "scene", "ms per step of whole scenes of moving bodies; FCL's and Bullet's broad phases beside it");
     describe_scene(*arguments.scene_part, arguments.scene);
     arguments.scene_part->add_flag("--quick", arguments.quick, "none of more than 100,000 bodies");
-    for (CLI::App* part : {arguments.tunnelling_part, arguments.pairs_part, arguments.accuracy_part,
-                           arguments.stability_part, arguments.ingredients_part, arguments.scene_part})
+    arguments.record_part = app.add_subcommand(
+        "record", "queries of a rubble pile hit by fast projectiles, simulated by Bullet: rubble.txt");
+    arguments.record_part->add_option("--seed", arguments.rubble.seed, "of stones and shots")
+        ->capture_default_str();
+    arguments.replay_part =
+        app.add_subcommand("replay", "time per query and wrong answers on recorded queries; FCL beside it");
+    arguments.replay_part->add_option("--file", arguments.replay.file, "queries as text")
+        ->capture_default_str();
+    for (CLI::App* part :
+         {arguments.tunnelling_part, arguments.pairs_part, arguments.accuracy_part, arguments.stability_part,
+          arguments.ingredients_part, arguments.scene_part, arguments.record_part, arguments.replay_part})
         part->add_option("--out", arguments.out, "folder for CSVs and pictures")->capture_default_str();
     arguments.tunnelling_part
         ->add_option("--crossings", arguments.tunnelling.crossings,
@@ -180,6 +195,11 @@ int run(const Arguments& arguments, const std::filesystem::path& program)
     if (arguments.ingredients_part->parsed())
         return run_ingredients(output, arguments.ingredients) == 0 ? 0 : 1;
     if (arguments.scene_part->parsed()) return run_scenes(output, scene_options(arguments)) == 0 ? 0 : 1;
+    if (arguments.replay_part->parsed()) return run_replay(output, arguments.replay) == 0 ? 0 : 1;
+    if (arguments.record_part->parsed()) {
+        run_record(output, arguments.rubble);
+        return 0;
+    }
     run_pairs(output, names, program.parent_path() / "brink-bench-v3");
     return 0;
 }
@@ -194,7 +214,9 @@ int main(int argc, char** argv)
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty())
-            return explain(app, "which part? tunnelling, pairs, accuracy, stability, ingredients or scene");
+            return explain(
+                app,
+                "which part? tunnelling, pairs, accuracy, stability, ingredients, scene, record or replay");
         return run(arguments, std::filesystem::canonical("/proc/self/exe"));
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);

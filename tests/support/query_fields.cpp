@@ -24,8 +24,18 @@ template <class Number, class How> std::optional<Number> all_of(std::string_view
 }
 
 void add(Numbers& to, double& number) { to.push_back(&number); }
-void add(Numbers& to, Vec3& v) { to.insert(to.end(), {&v.x(), &v.y(), &v.z()}); }
-void add(Numbers& to, Quat& q) { to.insert(to.end(), {&q.w(), &q.x(), &q.y(), &q.z()}); }
+
+void add(Numbers& to, Vec3& v)
+{
+    for (double& x : v)
+        to.push_back(&x);
+}
+
+void add(Numbers& to, Quat& q)
+{
+    for (double* x : {&q.w(), &q.x(), &q.y(), &q.z()})
+        to.push_back(x);
+}
 
 template <class... Members> Numbers all(Members&... members)
 {
@@ -74,12 +84,12 @@ std::string number_text(double x)
         if ((bits | sign) != (usual_nan | sign)) return fmt::format("nan:{:016x}", bits);
         return bits == usual_nan ? "nan" : "-nan";
     }
-    const std::string sign = std::signbit(x) ? "-" : "";
-    if (std::isinf(x)) return sign + "inf";
+    const std::string_view sign = std::signbit(x) ? "-" : "";
+    if (std::isinf(x)) return fmt::format("{}inf", sign);
     std::array<char, 32> digits{};
     char* const first = digits.data();
     char* const last = std::to_chars(first, first + digits.size(), std::abs(x), std::chars_format::hex).ptr;
-    return sign + "0x" + std::string(first, last);
+    return fmt::format("{}0x{}", sign, std::string_view(first, last));
 }
 
 std::optional<double> number_from(std::string_view text)

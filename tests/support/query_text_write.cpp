@@ -2,6 +2,8 @@
 #include "query_fields.h"
 #include "query_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -33,7 +35,8 @@ public:
     {
         const Key k = key(hull);
         if (uses_[k] < 2 || names_.contains(k)) return false;
-        names_[k] = "hull_" + std::to_string(names_.size() + 1);
+        const std::size_t number = names_.size() + 1;
+        names_[k] = fmt::format("hull_{}", number);
         return true;
     }
 
@@ -56,7 +59,7 @@ std::string text(const Numbers& numbers)
 {
     std::string out;
     for (const double* number : numbers)
-        out += " " + number_text(*number);
+        out += fmt::format(" {}", number_text(*number));
     return out;
 }
 
@@ -70,11 +73,11 @@ std::string points(const Hull& hull)
 
 std::string text(Shape shape, const HullNames& names)
 {
-    const std::string kind(shape_names[shape.index()]);
+    const std::string_view kind = shape_names[shape.index()];
     const auto* hull = std::get_if<Hull>(&shape);
-    if (hull == nullptr) return kind + text(numbers(shape));
+    if (hull == nullptr) return fmt::format("{}{}", kind, text(numbers(shape)));
     const std::string name = names.name(*hull);
-    return kind + (name.empty() ? points(*hull) : " " + name);
+    return name.empty() ? fmt::format("{}{}", kind, points(*hull)) : fmt::format("{} {}", kind, name);
 }
 
 bool same_bits(const Numbers& a, const Numbers& b)
@@ -93,7 +96,7 @@ template <class Of> std::string changed_fields(Of of, const char* indentation)
     const auto theirs = fields(usual);
     for (std::size_t i = 0; i < mine.size(); ++i)
         if (!same_bits(mine[i].numbers, theirs[i].numbers))
-            out += indentation + std::string(mine[i].name) + text(mine[i].numbers) + "\n";
+            out += fmt::format("{}{}{}\n", indentation, mine[i].name, text(mine[i].numbers));
     return out;
 }
 
@@ -101,14 +104,13 @@ std::string text(const Options& o)
 {
     const Options usual;
     std::string out = changed_fields(o, "");
-    const auto named = [](const auto& names, auto value) {
-        return " " + std::string(names.at(static_cast<std::size_t>(value))) + "\n";
+    const auto named = [](std::string_view key, const auto& names, auto value) {
+        return fmt::format("{} {}\n", key, names.at(static_cast<std::size_t>(value)));
     };
     if (o.start_contact != usual.start_contact)
-        out += "start_contact" + named(start_contact_names, o.start_contact);
-    if (o.detail != usual.detail) out += "detail" + named(detail_names, o.detail);
-    if (o.max_iterations != usual.max_iterations)
-        out += "max_iterations " + std::to_string(o.max_iterations) + "\n";
+        out += named("start_contact", start_contact_names, o.start_contact);
+    if (o.detail != usual.detail) out += named("detail", detail_names, o.detail);
+    if (o.max_iterations != usual.max_iterations) out += fmt::format("max_iterations {}\n", o.max_iterations);
     return out;
 }
 
@@ -118,18 +120,21 @@ std::string text(const KeptQuery& kept, const HullNames& names)
     std::replace_if(
         note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     const Query& q = kept.query;
-    return "query" + (note.empty() ? "" : " " + note) + "\na " + text(q.a, names) + "\n" +
-           changed_fields(q.motion_a, "  ") + "b " + text(q.b, names) + "\n" +
-           changed_fields(q.motion_b, "  ") + text(q.options) + "end\n";
+    return fmt::format("query{}{}\na {}\n{}b {}\n{}{}end\n", note.empty() ? "" : " ", note, text(q.a, names),
+                       changed_fields(q.motion_a, "  "), text(q.b, names), changed_fields(q.motion_b, "  "),
+                       text(q.options));
 }
 
 /// Every line of it behind a '#'.
 std::string as_comment(std::string_view comment)
 {
-    std::string out = comment.empty() ? "" : "# ";
-    for (const char c : comment)
-        out += c == '\n' ? "\n# " : std::string(1, c);
-    return out + (comment.empty() ? "" : "\n");
+    std::string out;
+    while (!comment.empty()) {
+        const std::string_view line = comment.substr(0, comment.find('\n'));
+        out += fmt::format("#{}{}\n", line.empty() ? "" : " ", line);
+        comment.remove_prefix(std::min(line.size() + 1, comment.size()));
+    }
+    return out;
 }
 
 } // namespace
