@@ -154,7 +154,9 @@ std::string judges(const Pair& pair)
 {
     if (pair.unbounded()) return "(must be invalid)";
 #if BRINK_HAVE_FCL
-    if (pair.second == 9) return "referee";
+    if (pair.second == 9 && pair.first == 5) return "referee coll";
+    if (pair.second == 9 && pair.first != 4)
+        return pair.first == 3 || pair.first == 8 ? "referee dist coll" : "referee dist CA coll";
     if (pair.second >= 6) return pair.first == 4 || pair.first == 5 ? "referee" : "referee dist coll";
     if (pair.second >= 4) return pair.first < 3 ? "ref coll" : "ref";
     if (pair.first == 3) return "ref ccd";
