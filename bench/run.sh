@@ -15,6 +15,7 @@ build/bench/brink-bench accuracy || status=$? # 1: an answer broke a promise
 build/bench/brink-bench scene || status=$?   # 1: a rival found other pairs
 build/bench/brink-bench ingredients || status=$?
 build/bench/brink-bench stability || status=$?
+build/bench/brink-bench replay || status=$?
 
 echo
 echo "Pictures:"
