@@ -16,9 +16,9 @@ std::size_t run_replay(const Output& output, const ReplayOptions& options)
     fmt::print("{}\n{}", machine(), replay_tables(answers));
     output.write("replay.csv", replay_csv(answers));
     fmt::print("\nCSV: {}\n{}\n", output.path_of("replay.csv"), output.draw("replay", replay_plot(answers)));
-    for (const std::string& broken : answers.broken)
-        fmt::print("brink: {}\n", broken);
-    return answers.broken.size();
+    for (const std::string& objection : answers.objections)
+        fmt::print("brink: {}\n", objection);
+    return answers.objections.size();
 }
 
 } // namespace brink::bench

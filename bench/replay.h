@@ -15,8 +15,9 @@ struct ReplayOptions {
 std::string recorded_workload();
 
 /// Asks every query of the file of brink, and of FCL what it supports; prints tables, writes replay.csv and
-/// replay.svg/png. Returns how many promises the referee found broken by brink (0 where the build has none).
-/// Throws std::runtime_error where the file cannot be read.
+/// replay.svg/png. Returns how many objections the referee has against brink: promises broken, and
+/// `undecided` where nothing grazes (0 where the build has no referee). Throws std::runtime_error where the
+/// file cannot be read.
 std::size_t run_replay(const Output&, const ReplayOptions&);
 
 } // namespace brink::bench

@@ -97,7 +97,7 @@ Fact fact_of(const Query& q)
     return {Fact::Outcome::apart, 0};
 }
 
-std::vector<std::string> broken_promises(const Query& q, const Toi& toi)
+std::vector<std::string> objections_to(const Query& q, const Toi& toi)
 {
     std::vector<std::string> out;
     if (!support::judgeable(q)) return out;
@@ -113,7 +113,7 @@ std::vector<std::string> broken_promises(const Query& q, const Toi& toi)
 
 bool has_referee() { return false; }
 Fact fact_of(const Query&) { return {}; }
-std::vector<std::string> broken_promises(const Query&, const Toi&) { return {}; }
+std::vector<std::string> objections_to(const Query&, const Toi&) { return {}; }
 
 #endif
 
@@ -133,8 +133,8 @@ ReplayAnswers ask_all(const std::string& file)
     for (const support::KeptQuery& kept : out.queries) {
         out.brink.push_back(answer(kept.query));
         out.facts.push_back(fact_of(kept.query));
-        for (const std::string& what : broken_promises(kept.query, out.brink.back()))
-            out.broken.push_back(fmt::format("{}:{}: {}", file, kept.line, what));
+        for (const std::string& what : objections_to(kept.query, out.brink.back()))
+            out.objections.push_back(fmt::format("{}:{}: {}", file, kept.line, what));
         progress.step();
     }
     return out;

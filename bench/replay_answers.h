@@ -36,7 +36,7 @@ struct ReplayAnswers {
     std::vector<Fact> facts;               // of each query
     std::vector<Toi> brink;                // to each
     std::array<std::vector<Said>, 3> said; // by each method, to each query; `unasked` what it does not know
-    std::vector<std::string> broken;       // promises, each with file, line and figures
+    std::vector<std::string> objections;   // of the referee against brink, each with file, line and figures
     bool refereed = false;                 // there is a referee in this build
     std::size_t pair(std::size_t query) const; // the place of a query's pair in support::all_pairs()
 };
@@ -45,8 +45,8 @@ struct ReplayAnswers {
 bool has_referee();
 /// The referee's word on a query.
 Fact fact_of(const support::Query&);
-/// What it has against brink's answer, each with its figures.
-std::vector<std::string> broken_promises(const support::Query&, const Toi&);
+/// What it has against the answer: promises broken, and `undecided` where nothing grazes; with figures.
+std::vector<std::string> objections_to(const support::Query&, const Toi&);
 
 /// Reads the file and asks everybody everything. Throws std::runtime_error where it cannot be read.
 ReplayAnswers ask_all(const std::string& file);

@@ -73,7 +73,7 @@ std::string head(const ReplayAnswers& answers)
     for (std::size_t i = 0; i < statuses.size(); ++i)
         out += fmt::format("{} {} {}", i == 0 ? "" : ",", thousands(statuses[i]),
                            support::name(static_cast<Status>(i)));
-    return out + fmt::format("; promises broken: {}\n", answers.broken.size());
+    return out + fmt::format("; the referee objects to {}\n", answers.objections.size());
 }
 
 std::string heading(std::string_view title, bool refereed)
