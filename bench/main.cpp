@@ -2,6 +2,7 @@
 #include "compare.h"
 #include "part.h"
 #include "report.h"
+#include "rubble.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,8 @@ struct Command {
     Effort effort = Effort::usual;
     CLI::App* all = nullptr;
     bool go_on = false;
+    CLI::App* record = nullptr;
+    RubbleOptions rubble;
     CLI::App* compare = nullptr;
     std::string before, after;
     std::vector<CLI::App*> parts; // as all_parts()
@@ -29,8 +32,11 @@ struct Command {
 void describe(CLI::App& app, Command& command, const std::vector<std::unique_ptr<Part>>& parts)
 {
     app.require_subcommand(0, 1); // none is told in our own words
-    const auto measures = [&command](CLI::App* part) {
-        part->add_option("--out", command.out, "folder for CSVs and pictures")->capture_default_str();
+    const auto writes = [&command](CLI::App* part) {
+        part->add_option("--out", command.out, "folder for what is written")->capture_default_str();
+    };
+    const auto measures = [&](CLI::App* part) {
+        writes(part);
         part->add_flag_callback(
             "--quick", [&command] { command.effort = Effort::quick; },
             "fewer queries: all parts in under ten minutes");
@@ -43,6 +49,10 @@ void describe(CLI::App& app, Command& command, const std::vector<std::unique_ptr
         part->describe(*command.parts.back());
         measures(command.parts.back());
     }
+    command.record = app.add_subcommand(
+        "record", "queries of a rubble pile hit by fast projectiles, simulated by Bullet: rubble.txt");
+    command.record->add_option("--seed", command.rubble.seed, "of stones and shots")->capture_default_str();
+    writes(command.record);
     command.compare = app.add_subcommand(
         "compare", "what got slower or less exact between two folders of results, each held "
                    "against the rivals of its own run");
@@ -65,6 +75,7 @@ int run(const Command& command, const std::vector<std::unique_ptr<Part>>& parts)
     std::uint64_t broken = 0;
     if (command.all->parsed())
         broken = run_all(output, command.effort, command.go_on ? Parts::missing : Parts::all);
+    if (command.record->parsed()) run_record(output, command.rubble);
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (command.parts[i]->parsed()) broken = run_part(*parts[i], output, command.effort);
     return broken == 0 ? 0 : broke_a_promise;

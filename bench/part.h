@@ -73,6 +73,7 @@ std::unique_ptr<Part> tunnelling_part();
 std::unique_ptr<Part> error_part();
 std::unique_ptr<Part> stability_part();
 std::unique_ptr<Part> pairs_part();
+std::unique_ptr<Part> replay_part();
 std::unique_ptr<Part> ingredients_part();
 std::unique_ptr<Part> scene_part();
 

@@ -30,6 +30,7 @@ std::vector<std::unique_ptr<Part>> all_parts()
     parts.push_back(error_part());
     parts.push_back(pairs_part());
     parts.push_back(scene_part());
+    parts.push_back(replay_part());
     parts.push_back(ingredients_part());
     parts.push_back(stability_part());
     return parts;

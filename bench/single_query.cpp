@@ -25,16 +25,16 @@ std::vector<double> one_pass(std::size_t count, const Ask& ask)
     return times;
 }
 
-double at_share(std::vector<double> times, double share)
-{
-    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(times.size() - 1));
-    std::nth_element(times.begin(), times.begin() + rank, times.end());
-    return times[static_cast<std::size_t>(rank)];
-}
-
 } // namespace
 
-Spread single_queries(std::size_t count, const Ask& ask)
+double at_share(std::vector<double> values, double share)
+{
+    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
+}
+
+std::vector<double> single_query_times(std::size_t count, const Ask& ask)
 {
     const double clock = at_share(one_pass(count, [](std::size_t) {}), 0.5);
     const std::array passes{one_pass(count, ask), one_pass(count, ask), one_pass(count, ask)};
@@ -44,6 +44,12 @@ Spread single_queries(std::size_t count, const Ask& ask)
         std::sort(three.begin(), three.end());
         times[i] = three[1] - clock;
     }
+    return times;
+}
+
+Spread single_queries(std::size_t count, const Ask& ask)
+{
+    const std::vector<double> times = single_query_times(count, ask);
     return {at_share(times, 0.5), at_share(times, 0.99)};
 }
 

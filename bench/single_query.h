@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace brink::bench {
 
@@ -11,8 +12,14 @@ struct Spread {
 };
 
 /// Asks each of `count` queries alone, between two readings of the steady clock, in three passes over all of
-/// them. A query's time is the middle one of its three, so that an interrupt counts for none, less what the
-/// clock itself takes: the median over as many readings with nothing asked.
+/// them. A query's time (ns) is the middle one of its three, so that an interrupt counts for none, less what
+/// the clock itself takes: the median over as many readings with nothing asked.
+std::vector<double> single_query_times(std::size_t count, const std::function<void(std::size_t)>& ask);
+
+/// What their times come to.
 Spread single_queries(std::size_t count, const std::function<void(std::size_t)>& ask);
+
+/// The value that so large a share of them do not exceed; of one value at least.
+double at_share(std::vector<double> values, double share);
 
 } // namespace brink::bench

@@ -2,6 +2,7 @@
 #include "campaign.h"
 
 #include "in_digits.h"
+#include "judging.h"
 #include "print.h"
 #include "progress.h"
 #include "witnesses.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <iterator>
 #include <mutex>
 #include <thread>
 
@@ -23,11 +23,6 @@ using support::Trial;
 
 constexpr std::uint64_t block_size = 256;
 
-bool suspicious(const Toi& toi)
-{
-    return toi.status == Status::undecided || toi.status == Status::invalid || toi.iterations > 64;
-}
-
 /// Half of the cases are for breadth, half for what turns; whichever cases are picked by a stride.
 bool for_breadth(std::uint64_t index) { return std::popcount(index) % 2 == 0; }
 
@@ -37,106 +32,16 @@ support::Query drawn(const Pair& pair, std::uint64_t seed, std::uint64_t index)
                               : campaign_query(pair, seed, index);
 }
 
-void complain(Tally& tally, const Case& c, const Findings& findings)
-{
-    for (const support::Finding& f : findings) {
-        const support::Query& asked = f.asked ? *f.asked : c.trial.query();
-        const std::string note =
-            f.asked ? "as asked otherwise: " + f.detail : support::in_words(c.trial.toi());
-        tally.add(Complaint{c.index, f.check, f.detail, support::as_cpp(asked, note)});
-    }
-}
-
-void append(Findings& all, Findings more)
-{
-    all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
-/// By the reference, which knows no depth of a cylinder, cone, ellipsoid or hull.
-Findings by_reference(Tally& tally, Trial& trial)
-{
-    ++tally.referenced;
-    Findings findings = judge_by_reference(trial);
-    if (trial.referee().gave_up) ++tally.given_up;
-    return findings;
-}
-
-Findings by_referee(Tally& tally, const Trial& trial)
-{
-    const Ruled ruled = fuzz::ruled(trial.query(), trial.toi());
-    ++tally.ruled;
-    if (ruled.in_digits) ++tally.in_digits;
-    if (ruled.unsettled) ++tally.unsettled;
-    return ruled.findings;
-}
-
-/// The contact in digits, once: how early the answer is, and whether `undecided` is excused.
-Findings by_digits(Tally& tally, Case& c)
-{
-    if (c.sworn || !judgeable(c.trial.query())) return {};
-    c.sworn = true;
-    const support::Query& q = c.trial.query();
-    const Toi& toi = c.trial.toi();
-    const FirstContact contact = first_contact(q, toi);
-    Findings findings = verified(q, toi);
-    ++tally.sworn;
-    if (contact.spent) ++tally.unsettled;
-    if (contact.in_doubt) ++tally.in_doubt;
-    if (toi.status == Status::undecided && contact.grazes) ++tally.excused;
-    if (toi.status == Status::undecided && !contact.grazes && !contact.spent)
-        findings.push_back(
-            {std::string(guilty), fmt::format("least gap - target {:.3g}, closing {:.3g} per step",
-                                              contact.least_gap, contact.closing_speed)});
-    const bool timed = toi.status == Status::hit && contact.meets && !contact.in_doubt && !contact.grazes;
-    if (timed) tally.add_early(q.options.tolerance, contact.early);
-    return findings;
-}
-
-void count(Tally& tally, const Toi& toi)
-{
-    ++tally.cases;
-    ++tally.by_status[std::min<std::size_t>(static_cast<std::size_t>(toi.status), 4)];
-    const auto spent = static_cast<std::uint64_t>(std::max(toi.iterations, 0));
-    tally.evaluations += spent;
-    if (toi.status != Status::hit || spent == 0) return;
-    ++tally.advanced_hits;
-    tally.hit_evaluations += spent;
-    tally.most_evaluations = std::max(tally.most_evaluations, spent);
-}
-
 /// A block of one pair's cases.
 Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_t end, Witnesses& witnesses)
 {
-    Tally tally;
-    std::vector<Case> to_witness;
+    std::vector<Case> cases;
     for (std::uint64_t i = begin; i < end; ++i) {
-        Case c{i, Trial(drawn(pair, plan.seed, i))};
-        count(tally, c.trial.toi());
-        Findings findings = judge_alone(c.trial);
-        const bool odd = suspicious(c.trial.toi()) || !findings.empty();
-        if (pair.has_reference() && for_breadth(i) && (odd || i % plan.reference_every == 0))
-            append(findings, by_reference(tally, c.trial));
-        if (judgeable(c.trial.query()) && (odd || i % plan.rule_every == 0))
-            append(findings, by_referee(tally, c.trial));
-        const bool undecided = c.trial.toi().status == Status::undecided;
-        if (!findings.empty() || undecided || i % plan.digits_every == 0)
-            append(findings, by_digits(tally, c));
-        complain(tally, c, findings);
-        const bool asked = i % plan.witness_every == 0 || odd;
-        if (asked && !pair.unbounded() && Witnesses::present()) to_witness.push_back(std::move(c));
+        const Summons summons{for_breadth(i), i % plan.reference_every == 0, i % plan.rule_every == 0,
+                              i % plan.digits_every == 0, i % plan.witness_every == 0};
+        cases.push_back({i, Trial(drawn(pair, plan.seed, i)), summons});
     }
-    const std::vector<Statement> statements = witnesses.question(to_witness);
-    for (std::size_t i = 0; i < statements.size(); ++i) {
-        ++tally.witnessed;
-        tally.crashes += statements[i].crashed ? 1U : 0U;
-        tally.hangs += statements[i].hung ? 1U : 0U;
-        for (const Fault& fault : statements[i].against_them)
-            tally.add(fault);
-        Findings findings = statements[i].against_brink;
-        if (!findings.empty()) append(findings, by_digits(tally, to_witness[i]));
-        complain(tally, to_witness[i], findings);
-    }
-    return tally;
+    return tried(pair, std::move(cases), witnesses);
 }
 
 /// The blocks of a plan in order, pair after pair within a block of indices.
@@ -208,7 +113,7 @@ Outcome run(const Plan& plan)
 
 std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
 {
-    std::vector<Case> one{{index, Trial(drawn(pair, seed, index))}};
+    std::vector<Case> one{{index, Trial(drawn(pair, seed, index)), {}}};
     Trial& trial = one.front().trial;
     std::string out = support::as_cpp(trial.query(), support::in_words(trial.toi()));
     if (pair.unbounded()) return out;

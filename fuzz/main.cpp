@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "campaign.h"
+#include "keep.h"
+#include "replay.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iostream>
+#include <optional>
+#include <stdexcept>
 
 namespace {
 
 using namespace brink::fuzz;
 using brink::support::all_pairs;
+using brink::support::KeptQuery;
 using brink::support::pair_named;
+using brink::support::read_queries;
 
 constexpr int disagreed = 1;
 constexpr int misused = 2;
@@ -51,7 +58,14 @@ struct Arguments {
     std::vector<std::string> pairs{"all"};
     std::string pair;
     std::uint64_t index = 0;
+    std::string file; // to replay
+    std::string keep;
 };
+
+void add_keep(CLI::App& part, Arguments& arguments)
+{
+    part.add_option("--keep", arguments.keep, "file to write the disagreements to, for replay");
+}
 
 const CLI::App* add_run(CLI::App& app, Arguments& arguments)
 {
@@ -84,6 +98,7 @@ const CLI::App* add_run(CLI::App& app, Arguments& arguments)
     run->add_option("--witness-every", plan.witness_every, "every which case FCL and libccd judge")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    add_keep(*run, arguments);
     return run;
 }
 
@@ -99,7 +114,37 @@ const CLI::App* add_show(CLI::App& app, Arguments& arguments)
     return show;
 }
 
-int run_campaign(Arguments& arguments)
+const CLI::App* add_replay(CLI::App& app, Arguments& arguments)
+{
+    CLI::App* replay = app.add_subcommand("replay", "Put every query of a file before every judge");
+    replay->add_option("file", arguments.file, "queries as text: kept by run, or recorded")->required();
+    replay->add_option("--threads", arguments.plan.threads, "as in run")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    add_keep(*replay, arguments);
+    return replay;
+}
+
+/// The end of a campaign: the tally, and what to exit with.
+int conclude(Keep& keep, const std::vector<Pair>& pairs, const std::vector<Tally>& tallies,
+             const std::string& stopped)
+{
+    fmt::print("{}", report(pairs, tallies));
+    keep.write(queries_of(pairs, tallies));
+    std::uint64_t findings = 0;
+    for (const Tally& tally : tallies)
+        findings += tally.brink_findings();
+    fmt::print("{}{} disagreements that are brink's\n", stopped, findings);
+    return findings > 0 ? disagreed : 0;
+}
+
+int run_replay(const Arguments& arguments, const std::vector<KeptQuery>& queries, Keep& keep)
+{
+    const Replayed out = replay(queries, arguments.plan.threads);
+    return conclude(keep, out.pairs, out.tallies, out.stopped ? "stopped before the end\n" : "");
+}
+
+int run_campaign(Arguments& arguments, Keep& keep)
 {
     for (const Pair& pair : all_pairs())
         for (const std::string& name : arguments.pairs) {
@@ -110,14 +155,10 @@ int run_campaign(Arguments& arguments)
             break;
         }
     const Outcome outcome = run(arguments.plan);
-    fmt::print("{}", report(arguments.plan.pairs, outcome.tallies));
-    std::uint64_t findings = 0;
-    for (const Tally& tally : outcome.tallies)
-        findings += tally.brink_findings();
-    if (outcome.stopped)
-        fmt::print("stopped: go on with --seed {} --first {}\n", arguments.plan.seed, outcome.next);
-    fmt::print("{} disagreements that are brink's\n", findings);
-    return findings > 0 ? disagreed : 0;
+    const std::string stopped = outcome.stopped ? fmt::format("stopped: go on with --seed {} --first {}\n",
+                                                              arguments.plan.seed, outcome.next)
+                                                : "";
+    return conclude(keep, arguments.plan.pairs, outcome.tallies, stopped);
 }
 
 int dispatch(int argc, char** argv)
@@ -127,6 +168,7 @@ int dispatch(int argc, char** argv)
     Arguments arguments;
     const CLI::App* run = add_run(app, arguments);
     const CLI::App* show_one = add_show(app, arguments);
+    const CLI::App* replay_file = add_replay(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -135,7 +177,18 @@ int dispatch(int argc, char** argv)
         std::cerr << "brink-fuzz: " << error.what() << "\n\n" << app.help();
         return misused;
     }
-    if (run->parsed()) return run_campaign(arguments);
+    if (run->parsed() || replay_file->parsed()) {
+        std::optional<Keep> keep;
+        std::vector<KeptQuery> queries;
+        try {
+            if (replay_file->parsed()) queries = read_queries(std::filesystem::path(arguments.file));
+            keep.emplace(arguments.keep);
+        } catch (const std::runtime_error& error) {
+            std::cerr << "brink-fuzz: " << error.what() << '\n';
+            return misused;
+        }
+        return run->parsed() ? run_campaign(arguments, *keep) : run_replay(arguments, queries, *keep);
+    }
     if (!show_one->parsed()) {
         std::cerr << "brink-fuzz: no command given\n\n" << app.help();
         return misused;

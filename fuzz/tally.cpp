@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tally.h"
 
+#include "print.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
@@ -152,7 +154,9 @@ std::string judges(const Pair& pair)
 {
     if (pair.unbounded()) return "(must be invalid)";
 #if BRINK_HAVE_FCL
-    if (pair.second == 9) return "referee";
+    if (pair.second == 9 && pair.first == 5) return "referee coll";
+    if (pair.second == 9 && pair.first != 4)
+        return pair.first == 3 || pair.first == 8 ? "referee dist coll" : "referee dist CA coll";
     if (pair.second >= 6) return pair.first == 4 || pair.first == 5 ? "referee" : "referee dist coll";
     if (pair.second >= 4) return pair.first < 3 ? "ref coll" : "ref";
     if (pair.first == 3) return "ref ccd";
@@ -195,7 +199,8 @@ std::string report(const std::vector<Pair>& pairs, const std::vector<Tally>& tal
         out += summary(pairs[i], tallies[i]);
     for (std::size_t i = 0; i < pairs.size(); ++i)
         for (const Complaint& c : tallies[i].complaints)
-            out += fmt::format("\n// {} {}: {}: {}\n{}", pairs[i].name(), c.index, c.check, c.detail, c.code);
+            out += fmt::format("\n// {} {}: {}: {}\n{}", pairs[i].name(), c.index, c.check, c.detail,
+                               support::as_cpp(c.asked, c.note));
     return out;
 }
 

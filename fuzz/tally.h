@@ -28,14 +28,16 @@ struct FaultCount {
     std::uint64_t example = 0; // index of the worst
 };
 
-/// A disagreement that is brink's, ready to be printed.
 /// The check that an undecided answer fails where nothing grazes. It is safe and breaks no promise, so it is
 /// printed and counted, but not among the disagreements.
 inline constexpr std::string_view guilty = "undecided, not grazing";
 
+/// A disagreement that is brink's, ready to be printed.
 struct Complaint {
     std::uint64_t index = 0;
-    std::string check, detail, code;
+    std::string check, detail;
+    support::Query asked;
+    std::string note; // what brink answered, or how it was asked otherwise
 };
 
 /// What happened to one pair. Sums of parts: the order of work does not show.

@@ -9,10 +9,21 @@
 
 namespace brink::fuzz {
 
+/// Who judges a case even where brink's answer is not suspicious.
+struct Summons {
+    bool reference_knows = true; // else the dense reference is not asked at all
+    bool reference = true;
+    bool referee = true;
+    bool digits = true; // the contact in 100 digits, that of a closed form in 200 too
+    bool witnesses = true;
+    bool valid = true; // else the answer `invalid` is taken as right
+};
+
 /// A trial and where it came from.
 struct Case {
     std::uint64_t index = 0;
     support::Trial trial;
+    Summons summons;
     bool sworn = false; // its contact has been found in digits
 };
 

@@ -114,6 +114,9 @@ bool fcl_trusts(FclQuestion question, const Shape& a, const Shape& b)
 {
     const auto round = [](const Shape& s) { return std::holds_alternative<Ellipsoid>(s); };
     if (question == FclQuestion::conservative_advancement && (round(a) || round(b))) return false; // stale
+    const auto convex = [](const Shape& s) { return std::holds_alternative<Hull>(s); };
+    const auto plane = [](const Shape& s) { return std::holds_alternative<Plane>(s); };
+    if ((convex(a) && plane(b)) || (plane(a) && convex(b))) return false; // segfaults
     const Kind kind_a = kind(a);
     const Kind kind_b = kind(b);
     if (kind_a == Kind::solid && kind_b == Kind::solid) return true;

@@ -38,6 +38,11 @@ bool ask_advancement(const Query& q)
            fcl_trusts(FclQuestion::conservative_advancement, q.a, q.b);
 }
 
+bool has_hull(const Hearing& h)
+{
+    return std::holds_alternative<Hull>(h.query.a) || std::holds_alternative<Hull>(h.query.b);
+}
+
 /// One byte each way per question: its seat out, the same back when it is answered.
 [[noreturn]] void serve(int line, const Hearing* hearings, Testimony* testimonies)
 {
@@ -152,6 +157,12 @@ std::vector<Testimony> FclProcess::hear(std::span<const Hearing> hearings)
         const std::size_t count = std::min(Bench::seats, hearings.size() - begin);
         for (std::size_t i = 0; i < count; ++i)
             bench_->hearings[i] = hearings[begin + i];
+        // A hull's points are not on the bench but in this process's own memory: a child forked now has them.
+        if (std::any_of(hearings.begin() + static_cast<std::ptrdiff_t>(begin),
+                        hearings.begin() + static_cast<std::ptrdiff_t>(begin + count), has_hull)) {
+            stop();
+            start();
+        }
         for (std::size_t seat = 0; seat < count;) {
             seat = hear_from(seat, count);
             if (seat == count) break;
