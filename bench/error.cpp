@@ -31,9 +31,7 @@ std::vector<std::string> pairs()
 Contenders everyone(const Questions& questions)
 {
     Contenders out = brink_contenders(questions);
-    const auto join = [&](Contenders more) {
-        std::move(more.begin(), more.end(), std::back_inserter(out));
-    };
+    const auto join = [&](Contenders more) { std::move(more.begin(), more.end(), std::back_inserter(out)); };
     join(fcl_contenders(questions));
     join(bullet_contenders(questions));
     return out;
@@ -47,8 +45,8 @@ ErrorPoints of_motion(const ErrorPoints& points, std::string_view motion)
     return out;
 }
 
-/// Time per query and error of t, of every pair of shapes and either kind of motion: brink as a curve over its
-/// tolerance, rivals as marks.
+/// Time per query and error of t, of every pair of shapes and either kind of motion: brink as a curve over
+/// its tolerance, rivals as marks.
 class Error final : public Part {
 public:
     std::string_view name() const override { return "error"; }
@@ -119,8 +117,9 @@ std::uint64_t Error::run(const Output& output, Effort effort)
 
 std::vector<Picture> Error::pictures() const
 {
-    constexpr std::string_view see = "Left is more exact, lower is faster: no rival's mark lies below and left "
-                                     "of brink's curve.";
+    constexpr std::string_view see =
+        "Left is more exact, lower is faster: no rival's mark lies below and left "
+        "of brink's curve.";
     return {{"error_box_box", see}, {"error_straight", see}, {"error_turning", see}};
 }
 

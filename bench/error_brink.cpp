@@ -7,8 +7,7 @@
 namespace brink::bench {
 namespace {
 
-constexpr std::array tolerances{1e-3, 1e-4,  1e-5,  1e-6,  1e-7,  1e-8,
-                                1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
+constexpr std::array tolerances{1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
 
 class Brink final : public Contender {
 public:

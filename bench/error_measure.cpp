@@ -94,8 +94,13 @@ public:
                                          pairs_.size());
     }
 
-    /// ns of processor time per query.
-    double lap() { return mean_of(count_); }
+    /// ns of processor time per query, after a quarter as many that only fetch what the others have driven
+    /// out of the caches.
+    double lap()
+    {
+        mean_of(count_ / 4);
+        return mean_of(count_);
+    }
 
 private:
     double mean_of(std::size_t count)

@@ -15,17 +15,17 @@ struct ErrorPoint {
     std::string pair;
     std::string motion; // "straight" or "turning to 60"
     std::string who, setting;
-    double ns = 0;                                                         // mean processor time per query
-    double deviation = 0;                                                  // its standard deviation between repetitions
+    double ns = 0;        // mean processor time per query
+    double deviation = 0; // its standard deviation between repetitions
     double p50 = not_measured, p99 = not_measured, worst = not_measured;
-    double calls = 0;    // brink: distance evaluations per query, mean
-    int queries = 0;     // whose truth is known, half of them hits
+    double calls = 0; // brink: distance evaluations per query, mean
+    int queries = 0;  // whose truth is known, half of them hits
     int hits = 0;
-    int missed = 0;      // hits of which no contact was said
-    int false_hits = 0;  // misses of which contact was said
-    int late = 0;        // hits said later than they are
-    int undecided = 0;   // brink said neither; its t counts
-    int left_out = 0;    // queries drawn that are no part of `queries`
+    int missed = 0;     // hits of which no contact was said
+    int false_hits = 0; // misses of which contact was said
+    int late = 0;       // hits said later than they are
+    int undecided = 0;  // brink said neither; its t counts
+    int left_out = 0;   // queries drawn that are no part of `queries`
 
     bool is_brink() const { return who == "brink"; }
     std::string question() const { return pair + " " + motion; }

@@ -15,8 +15,8 @@ struct Judged {
     Truth truth;
 };
 
-/// What is asked about one pair of shapes in one kind of motion. Every number in it is a float, so that rivals
-/// that compute in floats answer the same questions.
+/// What is asked about one pair of shapes in one kind of motion. Every number in it is a float, so that
+/// rivals that compute in floats answer the same questions.
 struct Questions {
     std::string pair;
     Turning turning;

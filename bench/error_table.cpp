@@ -23,8 +23,8 @@ std::string error_table(const ErrorPoints& points)
         const ErrorPoint& first = question.front();
         text += fmt::format("\n{}: {} hits, {} misses, {} left out\n", first.question(), first.hits,
                             first.queries - first.hits, first.left_out);
-        text += fmt::format("  {:<42} {:>9} {:>7} | {:>8} {:>8} {:>8} | {:>5} | {:>5} {:>5} {:>5} {:>5}\n", "",
-                            "ns", "+-", "p50", "p99", "max", "calls", "miss", "false", "late", "undec");
+        text += fmt::format("  {:<42} {:>9} {:>7} | {:>8} {:>8} {:>8} | {:>5} | {:>5} {:>5} {:>5} {:>5}\n",
+                            "", "ns", "+-", "p50", "p99", "max", "calls", "miss", "false", "late", "undec");
         for (const ErrorPoint& p : question)
             text += fmt::format(
                 "  {:<42} {:>9.0f} {:>7.0f} | {:>8.1e} {:>8.1e} {:>8.1e} | {:>5} | {:>5} {:>5} {:>5} {:>5}\n",

@@ -8,8 +8,8 @@
 
 namespace brink::bench {
 
-/// The bodies of a query that counts as a miss stay farther apart than this (metres): the widest tolerance that
-/// anybody is asked for.
+/// The bodies of a query that counts as a miss stay farther apart than this (metres): the widest tolerance
+/// that anybody is asked for.
 inline constexpr double clearance = 1e-3;
 
 enum class Fate : unsigned char {

@@ -25,6 +25,9 @@ Truth truth(const support::Query& query)
     return near.contact || near.gave_up ? Truth{} : Truth{Fate::apart};
 }
 
-std::string_view truth_teller() { return "long double and brute force, there being no referee in this build"; }
+std::string_view truth_teller()
+{
+    return "long double and brute force, there being no referee in this build";
+}
 
 } // namespace brink::bench

@@ -25,6 +25,7 @@ public:
     bool empty() const { return points_.empty(); }
 
     double crudest() const { return error_of(*std::max_element(points_.begin(), points_.end(), less_error)); }
+    double finest() const { return error_of(*std::min_element(points_.begin(), points_.end(), less_error)); }
 
     double time_at(double error) const
     {
@@ -57,29 +58,54 @@ private:
 Mark mark(const Curve& curve, const ErrorPoint& rival)
 {
     const double error = error_of(rival);
-    Mark out{rival, rival.ns / curve.time_at(error)};
-    if (out.factor < 1) out.place = error > curve.crudest() ? Place::cruder : Place::better;
+    Mark out{rival, Place::above, rival.ns / curve.time_at(error)};
+    if (out.factor < 1)
+        out.place = error > curve.crudest() ? Place::right : Place::within;
+    else if (error < curve.finest())
+        out.place = Place::left;
     return out;
 }
 
-std::string counts(const ErrorPoint& p)
-{
-    return fmt::format("{} missed, {} false, {} late of {} + {}", p.missed, p.false_hits, p.late, p.hits,
-                       p.queries - p.hits);
-}
+/// Whether it looks at poses one after the other, and sees nothing of what is between them.
+bool samples(const Mark& m) { return m.rival.who == "FCL naive" || m.rival.who == "FCL discrete"; }
 
 std::string line(const Mark& m)
 {
-    return fmt::format("{:<28} {:<42} {:>8.1e} {:>9.0f} {:>6.2f}  {}\n", m.rival.question(), m.rival.name(),
-                       m.rival.p50, m.rival.ns, m.factor, counts(m.rival));
+    const ErrorPoint& p = m.rival;
+    return fmt::format("  {:<34} {:<42} {:>8.1e} {:>8.0f} {:>6.2f} | {:>5} {:>5} {:>5}\n", p.question(),
+                       p.name(), p.p50, p.ns, m.factor, p.missed, p.false_hits, p.late);
 }
 
 std::string listed(std::string_view title, const std::vector<Mark>& marks)
 {
-    std::string text = fmt::format("\n{}\n", title);
+    std::string text = fmt::format("\n{}:{}\n", title, marks.empty() ? " none." : "");
+    if (!marks.empty())
+        text += fmt::format("  {:<34} {:<42} {:>8} {:>8} {:>6} | {:>5} {:>5} {:>5}\n", "", "", "p50", "ns",
+                            "times", "miss", "false", "late");
     for (const Mark& m : marks)
         text += line(m);
-    return marks.empty() ? text + "none\n" : text;
+    return text;
+}
+
+std::vector<Mark> lying(const std::vector<Mark>& marks, Place place)
+{
+    std::vector<Mark> out;
+    std::copy_if(marks.begin(), marks.end(), std::back_inserter(out),
+                 [&](const Mark& m) { return m.place == place; });
+    return out;
+}
+
+/// The nearest that brink is not outdone by in either way, and where it only samples the nearest that does
+/// not.
+std::vector<Mark> nearest(const std::vector<Mark>& all)
+{
+    std::vector<Mark> out;
+    for (const Mark& m : all) {
+        if (m.place == Place::right) continue;
+        if (out.empty() || !samples(m)) out.push_back(m);
+        if (!samples(m)) break;
+    }
+    return out;
 }
 
 } // namespace
@@ -97,28 +123,31 @@ std::vector<Mark> marks(const ErrorPoints& points)
 
 std::string error_verdict(const ErrorPoints& points)
 {
-    std::vector<Mark> nearest;
-    std::vector<Mark> better;
-    std::vector<Mark> cruder;
+    std::vector<Mark> near;
+    std::vector<Mark> within;
+    std::vector<Mark> right;
+    std::vector<Mark> left;
     std::vector<std::string> alone;
+    const auto append = [](std::vector<Mark>& to, const std::vector<Mark>& more) {
+        to.insert(to.end(), more.begin(), more.end());
+    };
     for (const ErrorPoints& question : by_question(points)) {
-        const std::vector<Mark> of = marks(question);
-        const auto first =
-            std::find_if(of.begin(), of.end(), [](const Mark& m) { return m.place != Place::cruder; });
-        if (of.empty()) alone.push_back(question.front().question());
-        if (first != of.end()) nearest.push_back(*first);
-        std::copy_if(of.begin(), of.end(), std::back_inserter(better),
-                     [](const Mark& m) { return m.place == Place::better; });
-        std::copy_if(of.begin(), of.end(), std::back_inserter(cruder),
-                     [](const Mark& m) { return m.place == Place::cruder; });
+        const std::vector<Mark> all = marks(question);
+        if (all.empty()) alone.push_back(question.front().question());
+        append(near, nearest(all));
+        append(within, lying(all, Place::within));
+        append(right, lying(all, Place::right));
+        append(left, lying(all, Place::left));
     }
-    std::string text = fmt::format("{:<28} {:<42} {:>8} {:>9} {:>6}\n", "question", "rival", "p50", "ns",
-                                   "times brink's");
-    text += listed("The nearest rival by time at equal error:", nearest);
-    text += listed("Faster than brink at any tolerance, and less exact than it at any:", cruder);
-    text += listed("Faster and more exact: below and left of brink's curve:", better);
+    const auto sampled = static_cast<std::size_t>(std::count_if(right.begin(), right.end(), samples));
+    std::erase_if(right, samples);
+    std::string text = "times: a rival's time over that of brink at the same median error.\n";
+    text += listed("The nearest rival", near);
+    text += listed("Slower than brink, and more exact than it at any tolerance", left);
+    text += listed("Faster than brink, and less exact than it at any tolerance", right);
+    text += fmt::format("  and {} marks of FCL naive and discrete, which look at poses only\n", sampled);
     if (!alone.empty()) text += fmt::format("\nNo rival can be asked about: {}.\n", fmt::join(alone, ", "));
-    return text;
+    return text + listed("Faster and more exact, below and left of brink's curve", within);
 }
 
 } // namespace brink::bench
