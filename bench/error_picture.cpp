@@ -219,13 +219,13 @@ std::string error_sheet(const ErrorPoints& points, std::string_view stem, std::s
 {
     const Page page{1000, 2.4, 11, 20};
     const Range range = times(points);
-    const Frame frame{140, 1480, 220, 890, range.least, range.most};
+    const Frame frame{180, 1480, 220, 890, range.least, range.most};
     const Panel shown = panel(points, frame, page, 0);
     std::string drawing =
         std::string(axes) + heading(points, headline, page, 3) + margins(frame, page.height);
     drawing +=
         fmt::format("    set ytics {} font middle_size\n    set xtics {} font middle_size\n"
-                    "    set ylabel 'time per query: lower is faster'\n"
+                    "    set ylabel 'time per query: lower is faster' offset 1, 0\n"
                     "    set xlabel 'error of t in steps, median over the hits seen: left is more exact'\n",
                     times_named, errors_named);
     int label = 110;

@@ -22,7 +22,7 @@
 namespace brink::bench {
 namespace {
 
-/// Bullet keeps motions from turning by more than a quarter of pi: one that does is asked about in two parts,
+/// Bullet lets a motion turn by no more than a quarter of pi: one that does is asked about in two parts,
 /// one after the other.
 constexpr double most_turn = 0.78;
 constexpr int most_parts = 2;
@@ -41,13 +41,11 @@ struct Solid {
 };
 
 /// What Bullet rounds a box's corners off by, and grows a hull by: 4 cm if nobody says otherwise. With none
-/// at all btGjkConvexCast misses half the hits of boxes, and both advancements are late for most hits of
-/// cylinders and cones, of which these are the least margins that cure. (That of spheres and capsules is
-/// their radius.)
-constexpr btScalar flat_margin{1e-6F};
-constexpr btScalar round_margin{1e-3F};
+/// at all btGjkConvexCast misses half the hits of boxes; with more than this all casts are less exact. (That
+/// of spheres and capsules is their radius.)
+constexpr btScalar margin{1e-6F};
 
-template <class T, class... Arguments> Solid with_margin(btScalar margin, const Arguments&... arguments)
+template <class T, class... Arguments> Solid with_margin(const Arguments&... arguments)
 {
     Solid out{std::make_unique<T>(arguments...), nullptr};
     out.shape->setMargin(margin);
@@ -71,21 +69,18 @@ Solid solid(const Capsule& s)
     return out;
 }
 
-Solid solid(const Box& s) { return with_margin<btBoxShape>(flat_margin, vector(s.half_extents)); }
+Solid solid(const Box& s) { return with_margin<btBoxShape>(vector(s.half_extents)); }
 
-Solid solid(const Triangle& s)
-{
-    return with_margin<btTriangleShape>(flat_margin, vector(s.a), vector(s.b), vector(s.c));
-}
+Solid solid(const Triangle& s) { return with_margin<btTriangleShape>(vector(s.a), vector(s.b), vector(s.c)); }
 
 Solid solid(const Cylinder& s)
 {
-    return with_margin<btCylinderShapeZ>(round_margin, vector({s.radius, s.radius, s.half_length}));
+    return with_margin<btCylinderShapeZ>(vector({s.radius, s.radius, s.half_length}));
 }
 
 Solid solid(const Cone& s)
 {
-    return with_margin<btConeShapeZ>(round_margin, static_cast<btScalar>(s.radius),
+    return with_margin<btConeShapeZ>(static_cast<btScalar>(s.radius),
                                      static_cast<btScalar>(2 * s.half_length));
 }
 
@@ -95,7 +90,7 @@ Solid solid(const Hull& s)
     for (const Vec3& point : s.vertices())
         hull->addPoint(vector(point), false);
     hull->recalcLocalAabb();
-    hull->setMargin(flat_margin);
+    hull->setMargin(margin);
     return {std::move(hull), nullptr};
 }
 

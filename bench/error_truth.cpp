@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_truth.h"
 
-#include <referee_turning.h>
+#include <reference.h>
+
+#include <algorithm>
 
 namespace brink::bench {
 
-using support::Meeting;
-using support::Real;
-
-bool has_truth(const support::Pair&) { return true; }
+using support::GapOverTime;
+using support::Reference;
 
 Truth truth(const support::Query& query)
 {
-    const Meeting met = meeting(query);
-    if (met.in_doubt || met.started) return {};
-    if (met.meets) {
-        if (met.grazing) return {};
-        return {Fate::contact, static_cast<Real>(met.by), static_cast<Real>(met.by - met.apart)};
+    const auto [first, second] = std::minmax(query.a.index(), query.b.index());
+    if (!support::Pair{first, second}.has_reference()) return refereed_truth(query);
+    const GapOverTime motion(query);
+    const Reference known = reference(query, motion);
+    if (known.gave_up || known.started) return {};
+    if (known.contact) {
+        if (known.grazing) return {};
+        return {Fate::contact, known.t, blur(motion) / known.closing_speed};
     }
     support::Query wider = query;
     wider.options.target_gap = clearance;
-    const Meeting near = meeting(wider);
-    return near.meets || near.in_doubt ? Truth{} : Truth{Fate::apart};
+    const Reference near = reference(wider, GapOverTime(wider));
+    return near.contact || near.gave_up ? Truth{} : Truth{Fate::apart};
 }
-
-std::string_view truth_teller() { return "the referee, proven to 40 digits"; }
 
 } // namespace brink::bench
