@@ -62,7 +62,7 @@ public:
     std::vector<Picture> pictures() const override;
 
 private:
-    int queries_ = 800;
+    int queries_ = 400;
     std::vector<std::string> pairs_{"all"};
 };
 
@@ -117,9 +117,9 @@ std::uint64_t Error::run(const Output& output, Effort effort)
 
 std::vector<Picture> Error::pictures() const
 {
-    constexpr std::string_view see =
-        "Left is more exact, lower is faster: no rival's mark lies below and left "
-        "of brink's curve.";
+    constexpr std::string_view see = "Left is more exact, lower is faster: a mark below and left of brink's "
+                                     "curve would be a rival that is "
+                                     "both.";
     return {{"error_box_box", see}, {"error_straight", see}, {"error_turning", see}};
 }
 

@@ -7,11 +7,14 @@ namespace brink::bench {
 namespace {
 
 constexpr std::string_view legend = R"(
-ns: mean processor time per query, half hits and half misses, +- its standard deviation between repetitions. p50, p99, max: error
-of t, in steps, over the hits seen. calls: distance evaluations per query. miss: of the hits, no contact said. false: of the
-misses, whose bodies stay 1 mm apart, contact said. late: said after contact (a rival's by more than 1e-6 of the step, which
-forgives floats their rounding). undec: neither said. Left out: queries that graze (closing at less than 1e-3 of the
-fastest motion, or passing within 1 mm).
+ns: mean processor time per query over up to 4,096 of them, half hits and half misses, the same for all solvers, +- its
+standard deviation between repetitions. p50, p99, max: error of t, in steps, over the hits seen. calls: distance
+evaluations per query. miss: of the hits, no contact said. false: of the misses, whose bodies stay 1 mm apart, contact
+said. late: said after contact (a rival's by more than 1e-6 of the step, which forgives floats their rounding). undec:
+neither said. Left out: queries that graze (closing at less than 1e-3 of the fastest motion, or passing within 1 mm).
+Every number of a query is a float. FCL's conservative advancement heeds no tolerance. Bullet computes in floats; its
+casts have margins of 1 um, and where a body turns by more than 45 degrees, more than it can, are asked about the two
+halves of the step; its two advancements end within 1 mm by their own choice.
 )";
 
 } // namespace

@@ -25,17 +25,12 @@ struct Truth {
     support::Real doubt = 0; // t is within this
 };
 
-/// Whether this build knows the truth about the pair: about all of them where it has the referee.
+/// Whether this build knows the truth about the pair: all of them where it has the referee.
 bool has_truth(const support::Pair&);
 
-/// By long double and brute force where the shapes have no curve but a radius, and are no hulls; else by the
-/// referee, which takes a hundred times as long.
 Truth truth(const support::Query&);
 
-/// A query with default options that is answered by the referee; left out where the build has none.
-Truth refereed_truth(const support::Query&);
-
-/// Who says the truth in this build, in words.
+/// "the referee, to 100 digits", or whoever else says the truth.
 std::string_view truth_teller();
 
 } // namespace brink::bench

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
 
 namespace brink::bench {
 namespace {
 
 constexpr double least_error = 0x1p-53;
+constexpr double never = std::numeric_limits<double>::infinity();
 
 double error_of(const ErrorPoint& point) { return std::max(point.p50, least_error); }
 
@@ -31,7 +33,7 @@ public:
     {
         const ErrorPoint& finest = *std::min_element(points_.begin(), points_.end(), less_error);
         if (error < error_of(finest)) return finest.ns;
-        double least = infinity;
+        double least = never;
         for (std::size_t i = 0; i < points_.size(); ++i) {
             if (error_of(points_[i]) <= error) least = std::min(least, points_[i].ns);
             if (i > 0) least = std::min(least, between(points_[i - 1], points_[i], error));
@@ -42,13 +44,13 @@ public:
 private:
     static bool less_error(const ErrorPoint& a, const ErrorPoint& b) { return error_of(a) < error_of(b); }
 
-    /// On the straight line between the two in the logarithms; infinity beyond its ends.
+    /// On the straight line between the two in the logarithms; `never` beyond its ends.
     static double between(const ErrorPoint& a, const ErrorPoint& b, double error)
     {
         const double from = std::log(error_of(a));
         const double to = std::log(error_of(b));
         const double x = std::log(error);
-        if (from == to || (x - from) * (x - to) > 0) return infinity;
+        if (from == to || (x - from) * (x - to) > 0) return never;
         return a.ns * std::pow(b.ns / a.ns, (x - from) / (to - from));
     }
 
