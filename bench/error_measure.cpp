@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <numeric>
 
 namespace brink::bench {
 namespace {
@@ -120,6 +121,17 @@ private:
     std::size_t count_ = 2;
 };
 
+/// Standard deviation, of two numbers or more.
+double deviation(const std::vector<double>& numbers)
+{
+    const auto count = static_cast<double>(numbers.size());
+    const double mean = std::accumulate(numbers.begin(), numbers.end(), 0.0) / count;
+    double squares = 0;
+    for (const double x : numbers)
+        squares += (x - mean) * (x - mean);
+    return std::sqrt(squares / (count - 1));
+}
+
 } // namespace
 
 ErrorPoints measure(const Questions& questions, const Contenders& contenders, const Patience& patience)
@@ -130,16 +142,14 @@ ErrorPoints measure(const Questions& questions, const Contenders& contenders, co
         points.push_back(judged(questions, *contender));
         watches.emplace_back(questions.sample.mixed, *contender).pace(patience.ns);
     }
-    std::vector<double> squares(points.size());
+    std::vector<std::vector<double>> laps(points.size());
     for (int i = 0; i < patience.repetitions; ++i)
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const double ns = watches[k].lap();
-            points[k].ns += ns / patience.repetitions;
-            squares[k] += ns * ns / patience.repetitions;
-        }
+        for (std::size_t k = 0; k < points.size(); ++k)
+            laps[k].push_back(watches[k].lap());
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const double variance = std::max(0.0, squares[k] - points[k].ns * points[k].ns);
-        points[k].deviation = std::sqrt(variance * patience.repetitions / (patience.repetitions - 1));
+        std::sort(laps[k].begin(), laps[k].end());
+        points[k].ns = laps[k][laps[k].size() / 2];
+        points[k].deviation = deviation(laps[k]);
     }
     return points;
 }

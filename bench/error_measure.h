@@ -13,7 +13,8 @@ struct Patience {
     double ns;
 };
 
-/// Answers, errors and times of every contender.
+/// Answers, errors and times of every contender: of the repetitions' means per query the middle one, which a
+/// burst of other work on the machine does not move.
 ErrorPoints measure(const Questions&, const Contenders&, const Patience&);
 
 } // namespace brink::bench

@@ -15,7 +15,7 @@ struct ErrorPoint {
     std::string pair;
     std::string motion; // "straight" or "turning to 60"
     std::string who, setting;
-    double ns = 0;        // mean processor time per query
+    double ns = 0;        // processor time per query, see error_measure.h
     double deviation = 0; // its standard deviation between repetitions
     double p50 = not_measured, p99 = not_measured, worst = not_measured;
     double calls = 0; // brink: distance evaluations per query, mean

@@ -7,8 +7,8 @@ namespace brink::bench {
 namespace {
 
 constexpr std::string_view legend = R"(
-ns: mean processor time per query over up to 4,096 of them, half hits and half misses, the same for all solvers, +- its
-standard deviation between repetitions. p50, p99, max: error of t, in steps, over the hits seen. calls: distance
+ns: mean processor time per query over up to 4,096 of them, half hits and half misses, the same for all solvers: the middle
+one of the repetitions, +- their standard deviation. p50, p99, max: error of t, in steps, over the hits seen. calls: distance
 evaluations per query. miss: of the hits, no contact said. false: of the misses, whose bodies stay 1 mm apart, contact
 said. late: said after contact (a rival's by more than 1e-6 of the step, which forgives floats their rounding). undec:
 neither said. Left out: queries that graze (closing at less than 1e-3 of the fastest motion, or passing within 1 mm).
