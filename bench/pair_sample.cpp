@@ -81,6 +81,11 @@ Shape draw_hull(Random& random)
     return Hull::from_points(points);
 }
 
+/// In the order of the Shape variant.
+constexpr std::array<DrawShape, std::variant_size_v<Shape>> draws{
+    draw_sphere,     draw_capsule,  draw_box,  draw_triangle,  draw_plane,
+    draw_half_space, draw_cylinder, draw_cone, draw_ellipsoid, draw_hull};
+
 constexpr std::array not_turning{
     PairKind{"sphere-sphere", draw_sphere, draw_sphere},
     PairKind{"sphere-capsule", draw_sphere, draw_capsule},
@@ -183,6 +188,8 @@ std::vector<Pair> all_pairs(Random& random)
 }
 
 } // namespace
+
+DrawShape draw_of(std::size_t shape) { return draws.at(shape); }
 
 std::span<const PairKind> pairs_turning(Turning turning)
 {

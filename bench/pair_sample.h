@@ -31,11 +31,15 @@ struct Sample {
     std::vector<Pair> mixed;        // half of either
 };
 
+using DrawShape = Shape (*)(support::Random&);
+
+/// Draws shapes of that index in the Shape variant.
+DrawShape draw_of(std::size_t shape);
+
 /// A pair of shapes to measure, by the functions that draw them.
 struct PairKind {
     std::string_view name;
-    Shape (*draw_a)(support::Random&);
-    Shape (*draw_b)(support::Random&);
+    DrawShape draw_a, draw_b;
 };
 
 /// How either body turns over the step, about its middle and an axis at random: not at all, or by an angle

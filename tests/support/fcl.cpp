@@ -92,6 +92,18 @@ std::shared_ptr<fcl::MotionBased> moving(const Geometry& geometry, const Motion&
         fcl::Vector3d(to.translation()), reference);
 }
 
+std::optional<double> continuous(const fcl::ContinuousCollisionRequestd& request, const FclBody& a,
+                                 const Motion& motion_a, const FclBody& b, const Motion& motion_b)
+{
+    fcl::ContinuousCollisionResultd result;
+    const auto moving_a = moving(a.geometry(), motion_a);
+    const auto moving_b = moving(b.geometry(), motion_b);
+    fcl::continuousCollide(a.geometry().shape.get(), moving_a.get(), b.geometry().shape.get(), moving_b.get(),
+                           request, result);
+    if (!result.is_collide) return std::nullopt;
+    return result.time_of_contact;
+}
+
 enum class Kind : unsigned char { solid, triangle, unbounded };
 
 Kind kind(const Shape& shape)
@@ -151,13 +163,16 @@ std::optional<double> fcl_continuous(FclQuestion solver, const FclBody& a, const
     fcl::ContinuousCollisionRequestd request;
     request.ccd_solver_type =
         solver == FclQuestion::naive ? fcl::CCDC_NAIVE : fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
-    fcl::ContinuousCollisionResultd result;
-    const auto moving_a = moving(a.geometry(), motion_a);
-    const auto moving_b = moving(b.geometry(), motion_b);
-    fcl::continuousCollide(a.geometry().shape.get(), moving_a.get(), b.geometry().shape.get(), moving_b.get(),
-                           request, result);
-    if (!result.is_collide) return std::nullopt;
-    return result.time_of_contact;
+    return continuous(request, a, motion_a, b, motion_b);
+}
+
+std::optional<double> fcl_naive(int poses, const FclBody& a, const Motion& motion_a, const FclBody& b,
+                                const Motion& motion_b)
+{
+    fcl::ContinuousCollisionRequestd request;
+    request.ccd_solver_type = fcl::CCDC_NAIVE;
+    request.num_max_iterations = static_cast<std::size_t>(poses);
+    return continuous(request, a, motion_a, b, motion_b);
 }
 
 } // namespace brink::support

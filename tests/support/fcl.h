@@ -38,4 +38,8 @@ bool fcl_collide(const FclBody& a, const Pose&, const FclBody& b, const Pose&);
 std::optional<double> fcl_continuous(FclQuestion solver, const FclBody& a, const Motion&, const FclBody& b,
                                      const Motion&);
 
+/// The same by CCDC_NAIVE with so many poses, from 2 to 10,000: the first at the start of the step and the
+/// last at its end.
+std::optional<double> fcl_naive(int poses, const FclBody& a, const Motion&, const FclBody& b, const Motion&);
+
 } // namespace brink::support
