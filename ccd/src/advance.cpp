@@ -3,6 +3,7 @@
 
 #include "best_step.h"
 #include "contact_by.h"
+#include "leap.h"
 #include "leave.h"
 #include "sight.h"
 #include "support.h"
@@ -40,6 +41,8 @@ private:
     void go_on(const Step&);
     Step best_step() const;
     bool coast(const Step&);
+    bool can_leap();
+    Toi land();
     Toi hit();
     Toi arrived();
     Separation start_of_contact() const;
@@ -54,6 +57,7 @@ private:
     Rolling rolling_;
     Trail trail_;
     bool first_ = true;
+    std::optional<Leap> leap_;            // where steps lead to its start, what follows is proven
     const StartOracle* untold_ = nullptr; // of a start that no look has shown to be within the tolerance
 };
 
@@ -95,18 +99,41 @@ template <class Part> bool Advance<Part>::coast(const Step& step)
 template <class Part> void Advance<Part>::go_on(const Step& step)
 {
     trail_.last_gap = step.gap;
-    if (!watch_.can_follow()) return look();
+    if (!watch_.can_follow() || (first_ && !watch_.far_sighted())) return look();
     ++trail_.followed;
     sight_ = watch_.follow(course_.facing());
     if (step.residual <= 0.5 * course_.tolerance) watch_.land(course_.facing(), sight_);
+}
+
+/// Whether what was just looked at shows a leap ahead that leaves no step to take before.
+template <class Part> bool Advance<Part>::can_leap()
+{
+    const bool blind = trail_.followed > 0 || (first_ && !watch_.far_sighted());
+    if (blind || leap_ || course_.iterations > tolerance::most_leaps || spent()) return false;
+    const double start = course_.now();
+    leap_ = brink::leap(course_, watch_, sight_);
+    if (!leap_) return false;
+    if (leap_->from <= start) return true;
+    course_.go(start);
+    return false;
+}
+
+/// Where a leap leads.
+template <class Part> Toi Advance<Part>::land()
+{
+    if (leap_->at > course_.options.t_max) return course_.apart();
+    if (course_.now() != leap_->at) course_.go(leap_->at);
+    sight_ = leap_->sight;
+    return arrived();
 }
 
 template <class Part> Toi Advance<Part>::approach()
 {
     for (;;) {
         if (there()) return arrived();
+        if (first_ && passes(course_.facing(), sight_, horizon())) return course_.apart();
+        if (can_leap()) return land();
         Step step = first_ ? first_step(course_.facing(), sight_, horizon()) : best_step();
-        first_ = false;
         if (trail_.lost(step, course_.facing(), watch_, sight_, course_.radii)) {
             if (spent()) return course_.answer(Status::undecided, contact());
             look();
@@ -122,10 +149,12 @@ template <class Part> Toi Advance<Part>::approach()
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
         if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
+        if (leap_ && next >= leap_->from) return land();
         if (spent()) return course_.answer(Status::undecided, contact());
         course_.go(next);
         if (course_.iterations >= tolerance::long_way && coast(step)) return course_.apart();
         go_on(step);
+        first_ = false;
     }
 }
 
