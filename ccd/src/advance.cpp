@@ -45,7 +45,6 @@ private:
     Toi land();
     Toi hit();
     Toi arrived();
-    Separation start_of_contact() const;
     bool begins_in_contact(const Separation& start, const StartOracle&) const;
     Toi go_on_from(const Separation& start);
     Toi approach();
@@ -110,12 +109,8 @@ template <class Part> bool Advance<Part>::can_leap()
 {
     const bool blind = trail_.followed > 0 || (first_ && !watch_.far_sighted());
     if (blind || leap_ || course_.iterations > tolerance::most_leaps || spent()) return false;
-    const double start = course_.now();
     leap_ = brink::leap(course_, watch_, sight_);
-    if (!leap_) return false;
-    if (leap_->from <= start) return true;
-    course_.go(start);
-    return false;
+    return leap_ && course_.now() == leap_->at;
 }
 
 /// Where a leap leads.
@@ -148,8 +143,8 @@ template <class Part> Toi Advance<Part>::approach()
         if (!(step.gap > 0)) return course_.answer(Status::undecided, contact());
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
-        if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
         if (leap_ && next >= leap_->from) return land();
+        if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
         if (spent()) return course_.answer(Status::undecided, contact());
         course_.go(next);
         if (course_.iterations >= tolerance::long_way && coast(step)) return course_.apart();
@@ -214,20 +209,8 @@ template <class Part> Toi Advance<Part>::arrived()
 {
     const StartOracle* oracle = std::exchange(untold_, nullptr);
     if (oracle == nullptr || course_.now() > 0) return hit();
-    const Separation start = start_of_contact();
+    const Separation start = course_.separated(sight_.best_normal());
     return begins_in_contact(start, *oracle) ? from_contact() : go_on_from(start);
-}
-
-/// How far apart they start, with the better of what its axis proves and that of the last look: of curved
-/// shapes the points alone may say too much.
-template <class Part> Separation Advance<Part>::start_of_contact() const
-{
-    Separation start = course_.separated();
-    if constexpr (std::is_same_v<Part, Core>) {
-        const Core &a = course_.facing().a.part, &b = course_.facing().b.part;
-        start.lower = std::max(start.lower, gap_along(a, b, sight_.best_normal()) - (a.radius + b.radius));
-    }
-    return start;
 }
 
 /// In doubt it is contact where contact is to be reported, and else a near miss, which approaching makes a

@@ -269,12 +269,6 @@ double growing_step(const Facing<Border>& f, const TurningAxis& axis, double hor
     return std::min(step, falls(lead, -gains, behind.either_way()));
 }
 
-template <class Part> Trend trend(const Facing<Part>& f, const TurningAxis& axis)
-{
-    const Line now = Bound<Part>(f, axis, 0).now();
-    return {now[0], now[1]};
-}
-
 double closing_rate(const Facing<Core>& f, V3 axis)
 {
     return norm(cross(axis, f.a.rate)) * f.a.reach + norm(cross(axis, f.b.rate)) * f.b.reach -
@@ -283,8 +277,6 @@ double closing_rate(const Facing<Core>& f, V3 axis)
 
 template Step safe_step(const Facing<Core>&, const TurningAxis&, double);
 template Step safe_step(const Facing<Border>&, const TurningAxis&, double);
-template Trend trend(const Facing<Core>&, const TurningAxis&);
-template Trend trend(const Facing<Border>&, const TurningAxis&);
 template double rising_step(const Facing<Core>&, const TurningAxis&, double);
 template double rising_step(const Facing<Border>&, const TurningAxis&, double);
 

@@ -2,6 +2,7 @@
 #include "leap.h"
 
 #include "tolerance.h"
+#include "trend.h"
 
 #include <cmath>
 
@@ -47,8 +48,8 @@ public:
 
     std::optional<Leap> run()
     {
-        if (sight_.axis.normal == V3{}) return {};
-        const double aim = 0.5 * course_.slack;
+        if (sight_.axis.normal == V3{} || sight_.guessed) return {};
+        const double aim = 0.125 * course_.slack; // many roundings of a pose
         Guess last = guess(), before = last;
         for (int i = 0; i < tolerance::most_guesses; ++i) {
             const double next = falls_to(aim, before, last);
@@ -68,14 +69,13 @@ public:
     }
 
 private:
-    /// Of the points seen, where they are the last look's; else along the axis.
+    /// By the points seen, where they are the last look's; else by those that are extreme along the axis.
     Guess guess() const
     {
         const Facing<Part>& f = course_.facing();
         if (!fresh_ || !(sight_.upper < infinity)) return {course_.now(), trend(f, sight_.axis)};
-        const V3 b = sight_.point_a + sight_.v - f.b.pivot;
-        const V3 nearing = f.velocity + cross(f.b.rate, b) - cross(f.a.rate, sight_.point_a);
-        return {course_.now(), {dot(sight_.normal, sight_.v) - f.margin, dot(sight_.normal, nearing)}};
+        const V3 a = sight_.point_a;
+        return {course_.now(), trend(f, sight_.axis, a, a + sight_.v)};
     }
     bool there() const { return sight_.upper - course_.radii <= course_.tolerance; }
     bool look()
@@ -101,9 +101,11 @@ private:
     std::optional<Leap> proven()
     {
         const TurningAxis axis{sight_.axis.normal, -sight_.axis.spin};
-        const double at = course_.now();
-        const Step step = safe_step(backwards(course_.facing()), axis, at - start_);
-        if (!(step.length > 0)) return back();
+        const double at = course_.now(), way = at - start_;
+        const Step step = safe_step(backwards(course_.facing()), axis, way);
+        if (step.length >= way) return Leap{start_, at, sight_};
+        course_.go(start_);
+        if (!(step.length > 0)) return {};
         return Leap{at - step.length, at, sight_};
     }
 

@@ -16,7 +16,8 @@ struct Leap {
 
 /// Guesses when two bodies meet from how fast they near each other where they are, goes there, guesses again,
 /// and at last proves the way there backwards: near contact one axis proves far more of the time before than
-/// of the time to come. Leaves the course where it leads, or else where it was.
+/// of the time to come. Leaves the course where it leads if all of the way is proven, else where it was. Not
+/// between curved surfaces, where a look from a place too far on takes long.
 template <class Part, class WatchOfPart>
 std::optional<Leap> leap(Course<Part>&, WatchOfPart&, const Sight& seen);
 
