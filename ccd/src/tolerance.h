@@ -125,7 +125,7 @@ inline constexpr double stale_features = 0.5;
 /// After so many looks the features that were seen do not tell how the axis turns: likewise a guess.
 inline constexpr int quick_way = 8;
 
-/// So often is a time of contact guessed before it is left alone: likewise a guess.
+/// So often is a time of contact guessed before it is left alone, and up to so many looks: likewise guesses.
 inline constexpr int most_guesses = 8;
 inline constexpr int most_leaps = 2;
 
