@@ -97,13 +97,14 @@ void Approaching::follow(const Step& step)
     if (step.residual <= 0.5 * course_.tolerance) watch_.land(course_.facing(), sight_);
 }
 
-/// As Advance::approach, but for axes at hand where the way is long.
+/// As Advance::approach, but for leaps, and for axes at hand where the way is long.
 Way Approaching::by_axes(bool following)
 {
     look();
     for (;;) {
         if (there()) return ended(Ending::hit);
         const bool first = following && way_.steps == 0;
+        if (first && passes(course_.facing(), sight_, horizon())) return ended(Ending::apart);
         Step step = first ? first_step(course_.facing(), sight_, horizon()) : best_step();
         const bool lost = trail_.lost(step, course_.facing(), watch_, sight_, course_.radii);
         if (there()) return ended(Ending::hit);

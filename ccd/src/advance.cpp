@@ -3,6 +3,7 @@
 
 #include "best_step.h"
 #include "contact_by.h"
+#include "leap.h"
 #include "leave.h"
 #include "sight.h"
 #include "support.h"
@@ -40,9 +41,10 @@ private:
     void go_on(const Step&);
     Step best_step() const;
     bool coast(const Step&);
+    bool can_leap();
+    Toi land();
     Toi hit();
     Toi arrived();
-    Separation start_of_contact() const;
     bool begins_in_contact(const Separation& start, const StartOracle&) const;
     Toi go_on_from(const Separation& start);
     Toi approach();
@@ -54,6 +56,7 @@ private:
     Rolling rolling_;
     Trail trail_;
     bool first_ = true;
+    std::optional<Leap> leap_;            // where steps lead to its start, what follows is proven
     const StartOracle* untold_ = nullptr; // of a start that no look has shown to be within the tolerance
 };
 
@@ -95,18 +98,37 @@ template <class Part> bool Advance<Part>::coast(const Step& step)
 template <class Part> void Advance<Part>::go_on(const Step& step)
 {
     trail_.last_gap = step.gap;
-    if (!watch_.can_follow()) return look();
+    if (!watch_.can_follow() || (first_ && !watch_.far_sighted())) return look();
     ++trail_.followed;
     sight_ = watch_.follow(course_.facing());
     if (step.residual <= 0.5 * course_.tolerance) watch_.land(course_.facing(), sight_);
+}
+
+/// Whether what was just looked at shows a leap ahead that leaves no step to take before.
+template <class Part> bool Advance<Part>::can_leap()
+{
+    const bool blind = trail_.followed > 0 || (first_ && !watch_.far_sighted());
+    if (blind || leap_ || course_.iterations > tolerance::most_leaps || spent()) return false;
+    leap_ = brink::leap(course_, watch_, sight_);
+    return leap_ && course_.now() == leap_->at;
+}
+
+/// Where a leap leads.
+template <class Part> Toi Advance<Part>::land()
+{
+    if (leap_->at > course_.options.t_max) return course_.apart();
+    if (course_.now() != leap_->at) course_.go(leap_->at);
+    sight_ = leap_->sight;
+    return arrived();
 }
 
 template <class Part> Toi Advance<Part>::approach()
 {
     for (;;) {
         if (there()) return arrived();
+        if (first_ && passes(course_.facing(), sight_, horizon())) return course_.apart();
+        if (can_leap()) return land();
         Step step = first_ ? first_step(course_.facing(), sight_, horizon()) : best_step();
-        first_ = false;
         if (trail_.lost(step, course_.facing(), watch_, sight_, course_.radii)) {
             if (spent()) return course_.answer(Status::undecided, contact());
             look();
@@ -121,11 +143,13 @@ template <class Part> Toi Advance<Part>::approach()
         if (!(step.gap > 0)) return course_.answer(Status::undecided, contact());
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
+        if (leap_ && next >= leap_->from) return land();
         if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
         if (spent()) return course_.answer(Status::undecided, contact());
         course_.go(next);
         if (course_.iterations >= tolerance::long_way && coast(step)) return course_.apart();
         go_on(step);
+        first_ = false;
     }
 }
 
@@ -185,20 +209,8 @@ template <class Part> Toi Advance<Part>::arrived()
 {
     const StartOracle* oracle = std::exchange(untold_, nullptr);
     if (oracle == nullptr || course_.now() > 0) return hit();
-    const Separation start = start_of_contact();
+    const Separation start = course_.separated(sight_.best_normal());
     return begins_in_contact(start, *oracle) ? from_contact() : go_on_from(start);
-}
-
-/// How far apart they start, with the better of what its axis proves and that of the last look: of curved
-/// shapes the points alone may say too much.
-template <class Part> Separation Advance<Part>::start_of_contact() const
-{
-    Separation start = course_.separated();
-    if constexpr (std::is_same_v<Part, Core>) {
-        const Core &a = course_.facing().a.part, &b = course_.facing().b.part;
-        start.lower = std::max(start.lower, gap_along(a, b, sight_.best_normal()) - (a.radius + b.radius));
-    }
-    return start;
 }
 
 /// In doubt it is contact where contact is to be reported, and else a near miss, which approaching makes a

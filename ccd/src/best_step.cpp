@@ -9,12 +9,16 @@
 
 namespace brink {
 
+bool passes(const Facing<Core>& f, const Sight& sight, double horizon)
+{
+    const double gap = gap_along(f.a.part, f.b.part, sight.normal) - f.margin;
+    return gap > 0 && closing_rate(f, sight.normal) * horizon <= gap;
+}
+bool passes(const Facing<Border>&, const Sight&, double) { return false; }
+
 template <class Part> Step first_step(const Facing<Part>& f, const Sight& sight, double horizon)
 {
     if constexpr (std::is_same_v<Part, Core>) {
-        const double gap = gap_along(f.a.part, f.b.part, sight.normal) - f.margin;
-        const double rate = closing_rate(f, sight.normal);
-        if (gap > 0 && rate * horizon <= gap) return {gap, horizon, 0};
         const Step rest = safe_step(f, TurningAxis{sight.normal, {}}, horizon);
         if (rest.length > 0) return rest;
     }

@@ -6,7 +6,12 @@
 /// Which of the axes at hand proves the longest step.
 namespace brink {
 
-/// After a first look: most pairs of a step never come near, and their fastest approach shows it.
+/// Whether their fastest possible approach takes longer than the horizon: most pairs of a step never come
+/// near, and a first look shows it.
+bool passes(const Facing<Core>&, const Sight&, double horizon);
+bool passes(const Facing<Border>&, const Sight&, double horizon);
+
+/// After a first look.
 template <class Part> Step first_step(const Facing<Part>&, const Sight&, double horizon);
 
 /// After a look, or from features followed since. `rolling` is the spin of the normal between curved

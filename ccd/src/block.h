@@ -68,14 +68,18 @@ inline constexpr Box3f empty_box{{nothing, nothing, nothing}, {nothing, nothing,
 static inline Box3f bound_of(const Boxes& boxes)
 {
     Box3f bound;
+    const auto lesser = [](float x, float y) { return x < y ? x : y; }; // NaN loses if it is x
+    const auto greater = [](float x, float y) { return x > y ? x : y; };
     for (int axis = 0; axis < 3; ++axis) {
-        float low = std::numeric_limits<float>::infinity(), high = -low;
-        for (int lane = 0; lane < lanes; ++lane) { // NaN loses every comparison
-            low = boxes.min[axis][lane] < low ? boxes.min[axis][lane] : low;
-            high = boxes.max[axis][lane] > high ? boxes.max[axis][lane] : high;
-        }
-        bound.min[axis] = low;
-        bound.max[axis] = high;
+        constexpr float inf = std::numeric_limits<float>::infinity();
+        float low[4]{inf, inf, inf, inf}, high[4]{-inf, -inf, -inf, -inf}; // four at a time
+        for (int lane = 0; lane < lanes; lane += 4)
+            for (int i = 0; i < 4; ++i) {
+                low[i] = lesser(boxes.min[axis][lane + i], low[i]);
+                high[i] = greater(boxes.max[axis][lane + i], high[i]);
+            }
+        bound.min[axis] = lesser(lesser(low[0], low[1]), lesser(low[2], low[3]));
+        bound.max[axis] = greater(greater(high[0], high[1]), greater(high[2], high[3]));
     }
     return bound.min[0] <= bound.max[0] ? bound : empty_box;
 }

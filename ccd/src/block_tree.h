@@ -30,6 +30,11 @@ struct BlockTree {
     void erase(std::size_t place);
     /// The levels above the leaves, from the leaves. ids: by slot.
     void bound(std::span<const BodyId> ids);
+    Box3f bound_of_leaf(std::uint32_t leaf) const
+    {
+        if (height == 1) return bound_of(levels[0][leaf]);
+        return box_at(levels[1][leaf / lanes], static_cast<int>(leaf % lanes));
+    }
     /// The sum of the surfaces of the leaves' bounds: how well they keep together.
     double spread() const;
     std::size_t bytes() const;

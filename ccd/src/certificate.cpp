@@ -269,11 +269,6 @@ double growing_step(const Facing<Border>& f, const TurningAxis& axis, double hor
     return std::min(step, falls(lead, -gains, behind.either_way()));
 }
 
-template <class Part> double closing_speed(const Facing<Part>& f, const TurningAxis& axis)
-{
-    return -Bound<Part>(f, axis, 0).now()[1];
-}
-
 double closing_rate(const Facing<Core>& f, V3 axis)
 {
     return norm(cross(axis, f.a.rate)) * f.a.reach + norm(cross(axis, f.b.rate)) * f.b.reach -
@@ -282,8 +277,6 @@ double closing_rate(const Facing<Core>& f, V3 axis)
 
 template Step safe_step(const Facing<Core>&, const TurningAxis&, double);
 template Step safe_step(const Facing<Border>&, const TurningAxis&, double);
-template double closing_speed(const Facing<Core>&, const TurningAxis&);
-template double closing_speed(const Facing<Border>&, const TurningAxis&);
 template double rising_step(const Facing<Core>&, const TurningAxis&, double);
 template double rising_step(const Facing<Border>&, const TurningAxis&, double);
 

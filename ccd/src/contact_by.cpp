@@ -3,6 +3,7 @@
 
 #include "depth.h"
 #include "tolerance.h"
+#include "trend.h"
 
 #include <algorithm>
 
@@ -43,7 +44,8 @@ template <class Part, class WatchOfPart>
 double proven_contact(Course<Part>& course, const WatchOfPart& watch, const Sight& sight)
 {
     const V3 n = sight.best_normal();
-    const double closing = closing_speed(course.facing(), TurningAxis{n, sight.axis.spin});
+    const double closing =
+        -trend(course.facing(), {n, sight.axis.spin}, sight.point_a, sight.point_a + sight.v).rate;
     const double gap = std::max(0.0, dot(sight.v, n) - course.radii);
     if (!(closing > 0)) return infinity;
     for (const double deep :

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "course.h"
 
+#include "support.h"
 #include "tolerance.h"
 
 #include <algorithm>
@@ -57,6 +58,14 @@ template <class Part> void Course<Part>::go(double time)
     const auto [a, b] = turns(t_);
     a_.place(part_a_, a, {});
     b_.place(part_b_, b, facing_.b.pivot);
+}
+
+template <class Part> Separation Course<Part>::separated(V3 axis) const
+{
+    Separation s = separated();
+    if constexpr (std::is_same_v<Part, Core>)
+        s.lower = std::max(s.lower, gap_along(part_a_, part_b_, axis) - (part_a_.radius + part_b_.radius));
+    return s;
 }
 
 template <class Part> Toi Course<Part>::answer(Status status, const Separation& s) const

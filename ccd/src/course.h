@@ -30,6 +30,9 @@ public:
         return {turned(a_.turn, a), turned(b_.turn, b), from_ + time * facing_.velocity};
     }
     Separation separated() const { return separation(part_a_, part_b_); }
+    /// The same with the better of what its axis and another one prove: of curved shapes the points alone may
+    /// say too much.
+    Separation separated(V3 axis) const;
 
     Toi apart() const { return {.status = Status::separated, .t = options.t_max, .iterations = iterations}; }
     /// An answer at this time, with a contact as far as the caller wants one.

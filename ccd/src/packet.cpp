@@ -25,11 +25,13 @@ float magnitude(const Balls& b, int lane)
 bool fill(const Boxes& boxes, const Box3f& bound)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        float sum = 0;
-        for (int lane = 0; lane < lanes; ++lane) {
-            const float length = boxes.max[axis][lane] - boxes.min[axis][lane];
-            sum += length > 0 ? length : 0;
-        }
+        float part[4]{}; // one sum would wait for itself
+        for (int lane = 0; lane < lanes; lane += 4)
+            for (int i = 0; i < 4; ++i) {
+                const float length = boxes.max[axis][lane + i] - boxes.min[axis][lane + i];
+                part[i] += length > 0 ? length : 0;
+            }
+        const float sum = (part[0] + part[1]) + (part[2] + part[3]);
         if (!(filling * sum >= lanes * (bound.max[axis] - bound.min[axis]))) return false;
     }
     return true;
@@ -113,10 +115,11 @@ void make_packet(Packet& p, const BlockTree& tree, std::uint32_t leaf, const Pla
             p.far |= static_cast<Mask>(magnitude(p.balls, lane) > long_path * p.balls.radius[lane]) << lane;
         p.far &= p.held;
     }
+    const bool cut = plan.rules.balls && plan.rules.late && plan.rules.until < 1;
     if (plan.grown > 0) grow(p.boxes, plan.rules.grown);
-    if (plan.rules.balls && plan.rules.late && plan.rules.until < 1)
-        cut_off(p.boxes, p.balls, plan.rules.until, plan.rules.grown);
-    p.bound = bound_of(p.boxes);
+    if (cut) cut_off(p.boxes, p.balls, plan.rules.until, plan.rules.grown);
+    const bool as_held = plan.grown == 0 && !cut;
+    p.bound = as_held ? tree.bound_of_leaf(leaf) : bound_of(p.boxes);
     p.dense = p.far == 0 && fill(p.boxes, p.bound);
 }
 

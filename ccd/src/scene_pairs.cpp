@@ -14,7 +14,8 @@ namespace {
 BodyPair pair_of(const BodyStore& store, const Candidate& c)
 {
     const BodyId a = store.ids[c.a], b = store.ids[c.b];
-    return {std::min(a, b), std::max(a, b)};
+    const BodyId swap = (a ^ b) & (0U - static_cast<BodyId>(b < a)); // a branch would be guessed wrong
+    return {a ^ swap, b ^ swap};
 }
 
 } // namespace

@@ -66,18 +66,32 @@ FromBox from_box(V3 p, const Core& box)
     return {box.axes * local, box_feature(box, local)};
 }
 
-Sight look_at_point_box(const Facing<Core>& f)
+/// A point or segment, and the fraction of it that comes nearest to a box.
+struct OnThin {
+    V3 point;
+    Feature feature;
+};
+OnThin nearest_of(const Core& thin, const Core& box)
 {
-    const V3 p = f.a.part.points[0];
-    const auto [v, feature] = from_box(p, f.b.part);
-    return seen(f, {}, feature, p, v);
+    const V3 p = thin.points[0];
+    if (thin.kind == point) return {p, {}};
+    const V3 d = direction(thin);
+    const double t = nearest_to_box(into(box.axes, p - box.centre), into(box.axes, d), box.half_extents);
+    return {p + t * d, edge_feature(d, t)};
 }
 
-Sight look_at_box_point(const Facing<Core>& f)
+Sight look_at_thin_box(const Facing<Core>& f)
 {
-    const V3 p = f.b.part.points[0];
-    const auto [v, feature] = from_box(p, f.a.part);
-    return seen(f, feature, {}, p + v, -v);
+    const auto [p, of_a] = nearest_of(f.a.part, f.b.part);
+    const auto [v, of_b] = from_box(p, f.b.part);
+    return seen(f, of_a, of_b, p, v);
+}
+
+Sight look_at_box_thin(const Facing<Core>& f)
+{
+    const auto [p, of_b] = nearest_of(f.b.part, f.a.part);
+    const auto [v, of_a] = from_box(p, f.a.part);
+    return seen(f, of_a, of_b, p + v, -v);
 }
 
 /// The corner of the difference that lies farthest against a normal: where GJK may begin.
@@ -95,8 +109,10 @@ Watch::Method Watch::method(const Core& a, const Core& b)
 {
     const auto thin = [](const Core& c) { return c.kind == point || c.kind == segment; };
     if (thin(a) && thin(b)) return Method::segments;
-    if (a.kind == point && b.kind == box) return Method::point_box;
-    if (a.kind == box && b.kind == point) return Method::box_point;
+    // Of a segment that comes as near as rounding the way to the box has no direction left.
+    const auto reaches = [](const Core& c) { return c.kind == point || c.radius > 0; };
+    if (thin(a) && b.kind == box && reaches(a)) return Method::thin_box;
+    if (a.kind == box && thin(b) && reaches(b)) return Method::box_thin;
     if (a.kind == box && b.kind == box) return Method::boxes;
     return Method::any;
 }
@@ -112,16 +128,17 @@ Sight Watch::look(const Facing<Core>& f)
     switch (method_) {
     case Method::segments:
         return look_at_segments(f);
-    case Method::point_box:
-        return look_at_point_box(f);
-    case Method::box_point:
-        return look_at_box_point(f);
+    case Method::thin_box:
+        return look_at_thin_box(f);
+    case Method::box_thin:
+        return look_at_box_thin(f);
     case Method::boxes:
         return look_at_boxes(f);
     case Method::any:
         break;
     }
-    return look_by_gjk(f, is_polytope(f.a.part) && is_polytope(f.b.part) ? 0 : tolerance::near_enough);
+    if (!is_polytope(f.a.part) || !is_polytope(f.b.part)) return look_by_gjk(f, tolerance::near_enough);
+    return look_by_gjk(f, towards_ == V3{} ? tolerance::from_afar : 0);
 }
 
 Sight Watch::look_at_boxes(const Facing<Core>& f)
@@ -135,7 +152,7 @@ Sight Watch::look_at_boxes(const Facing<Core>& f)
     land(f, s);
     if (s.upper <= nearby_) return s;
     method_ = Method::any; // past the ends of both features: no separating axis shows that distance
-    return look_by_gjk(f, is_polytope(f.a.part) && is_polytope(f.b.part) ? 0 : tolerance::near_enough);
+    return look_by_gjk(f, 0);
 }
 
 Sight Watch::look_closely(const Facing<Core>& f) { return look_by_gjk(f, 0); }

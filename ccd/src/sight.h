@@ -49,6 +49,8 @@ public:
     static Sight look_hard(const Facing<Core>&);
     /// Whether the features last seen can be followed without an evaluation.
     bool can_follow() const { return method_ == Method::boxes || corners_.known(); }
+    /// Whether what is seen from afar is likely to be what meets: of a corner among many it is not.
+    bool far_sighted() const { return method_ != Method::any; }
     /// The axis that the features last seen ask for now.
     Sight follow(const Facing<Core>&) const;
     /// Fills in the nearest points of those features.
@@ -58,7 +60,7 @@ public:
     bool overlap(const Facing<Core>&, double depth) const;
 
 private:
-    enum class Method : unsigned char { segments, point_box, box_point, boxes, any };
+    enum class Method : unsigned char { segments, thin_box, box_thin, boxes, any };
     static Method method(const Core& a, const Core& b);
     Sight look_at_boxes(const Facing<Core>&);
     Sight look_by_gjk(const Facing<Core>&, double relative);
@@ -77,6 +79,7 @@ public:
     static Sight look(const Facing<Border>&);
     static Sight look_hard(const Facing<Border>& f) { return look(f); }
     static bool can_follow() { return true; }
+    static bool far_sighted() { return true; }
     static Sight follow(const Facing<Border>& f) { return look(f); }
     static void land(const Facing<Border>&, const Sight&) {}
 };

@@ -108,6 +108,9 @@ inline constexpr double shown = 0.125;
 /// by: a step is that much shorter than it could be.
 inline constexpr double near_enough = 1e-4;
 
+/// The same of the first look at polytopes, which is to tell whether they can meet at all and about where.
+inline constexpr double from_afar = 0.125;
+
 /// How near the bounds of a gap of curved surfaces must come in an answer, as a part of the tolerance.
 inline constexpr double told = 0x1p-6;
 
@@ -121,6 +124,10 @@ inline constexpr double stale_features = 0.5;
 
 /// After so many looks the features that were seen do not tell how the axis turns: likewise a guess.
 inline constexpr int quick_way = 8;
+
+/// So often is a time of contact guessed before it is left alone, and up to so many looks: likewise guesses.
+inline constexpr int most_guesses = 8;
+inline constexpr int most_leaps = 2;
 
 /// After so many looks the way is a long one, on which axes at hand are tried before the next: likewise a
 /// guess, as is the part of a step that is worth its while.

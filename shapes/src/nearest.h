@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "lanes.h"
 #include "tolerance.h"
 #include "vector.h"
 
@@ -95,6 +96,39 @@ static inline V3 to_box(V3 p, V3 half_extents)
     const V3 h = half_extents;
     return {std::clamp(p.x, -h.x, h.x) - p.x, std::clamp(p.y, -h.y, h.y) - p.y,
             std::clamp(p.z, -h.z, h.z) - p.z};
+}
+
+/// Where the segment from p along d comes nearest to a box about the origin, as a fraction of it: where the
+/// slope of the squared distance, which never falls and is straight between the planes of the box's sides,
+/// passes zero.
+static inline double nearest_to_box(V3 p, V3 d, V3 h)
+{
+    const auto part = [](Two t, double from, double by, double half) {
+        const Two x = both(from) + t * both(by);
+        return both(by) * (larger(x - both(half), Two{}) + smaller(x + both(half), Two{}));
+    };
+    const auto slope = [&](Two t) {
+        return part(t, p.x, d.x, h.x) + part(t, p.y, d.y, h.y) + part(t, p.z, d.z, h.z);
+    };
+    const Two ends = slope(Two{0, 1});
+    if (!(ends[0] < 0)) return 0;
+    if (!(ends[1] > 0)) return 1;
+    Two low{}, high = both(1), at_low = both(ends[0]), at_high = both(ends[1]);
+    const auto cut = [&](double from, double by, double half) {
+        const Two t = smaller(larger((Two{-half, half} - both(from)) / both(by), Two{}), both(1)),
+                  at = slope(t);
+        const TwoFlags before = (at <= Two{}) & (t > low), after = (at >= Two{}) & (t < high);
+        low = select(before, t, low);
+        at_low = select(before, at, at_low);
+        high = select(after, t, high);
+        at_high = select(after, at, at_high);
+    };
+    cut(p.x, d.x, h.x);
+    cut(p.y, d.y, h.y);
+    cut(p.z, d.z, h.z);
+    const int l = low[1] > low[0] ? 1 : 0, u = high[1] < high[0] ? 1 : 0;
+    const double rise = at_high[u] - at_low[l], way = high[u] - low[l];
+    return low[l] + (rise > 0 ? -at_low[l] / rise : 0.5) * way;
 }
 
 struct Parameters {

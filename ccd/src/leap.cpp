@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "leap.h"
+
+#include "tolerance.h"
+#include "trend.h"
+
+#include <cmath>
+
+namespace brink {
+
+namespace {
+
+/// The gap along an axis at some time.
+struct Guess {
+    double time;
+    Trend gap;
+};
+
+/// When the gap falls to `aim`, by the last guess and, where its bend is no more than a correction, by a
+/// cubic for the time as a function of the gap through both.
+double falls_to(double aim, const Guess& before, const Guess& last)
+{
+    const double newton = (aim - last.gap.now) / last.gap.rate;
+    const double rise = before.gap.now - last.gap.now;
+    const double secant = (before.time - last.time) / rise;
+    const double at_last = (secant - 1 / last.gap.rate) / rise,
+                 at_before = (1 / before.gap.rate - secant) / rise;
+    const double left = aim - last.gap.now;
+    const double bend = left * left * (at_last + (aim - before.gap.now) * ((at_before - at_last) / rise));
+    return last.time + (std::fabs(bend) <= 0.5 * std::fabs(newton) ? newton + bend : newton);
+}
+
+/// The same bodies as time runs backwards.
+template <class Part> Facing<Part> backwards(const Facing<Part>& f)
+{
+    return {{f.a.part, f.a.pivot, f.a.reach, -f.a.rate, f.a.angle},
+            {f.b.part, f.b.pivot, f.b.reach, -f.b.rate, f.b.angle},
+            -f.velocity,
+            f.margin};
+}
+
+template <class Part, class WatchOfPart> class Leaping {
+public:
+    Leaping(Course<Part>& course, WatchOfPart& watch, const Sight& seen)
+        : course_(course), watch_(watch), sight_(seen), start_(course.now())
+    {
+    }
+
+    std::optional<Leap> run()
+    {
+        if (sight_.axis.normal == V3{} || sight_.guessed) return {};
+        const double aim = 0.125 * course_.slack; // many roundings of a pose
+        Guess last = guess(), before = last;
+        for (int i = 0; i < tolerance::most_guesses; ++i) {
+            const double next = falls_to(aim, before, last);
+            if (!(last.gap.rate < 0 && next > start_ && next < course_.window.end)) return back();
+            course_.go(next);
+            if (!see()) return back();
+            before = last;
+            last = guess();
+            if (!(last.gap.now > 0 && last.gap.now <= course_.tolerance)) continue;
+            if (!fresh_) watch_.land(course_.facing(), sight_);
+            if (there()) return proven();
+            if (fresh_ || !look()) return back();
+            if (there()) return proven();
+            before = last = guess();
+        }
+        return back();
+    }
+
+private:
+    /// By the points seen, where they are the last look's; else by those that are extreme along the axis.
+    Guess guess() const
+    {
+        const Facing<Part>& f = course_.facing();
+        if (!fresh_ || !(sight_.upper < infinity)) return {course_.now(), trend(f, sight_.axis)};
+        const V3 a = sight_.point_a;
+        return {course_.now(), trend(f, sight_.axis, a, a + sight_.v)};
+    }
+    bool there() const { return sight_.upper - course_.radii <= course_.tolerance; }
+    bool look()
+    {
+        if (course_.iterations >= course_.options.max_iterations) return false;
+        ++course_.iterations;
+        sight_ = watch_.look(course_.facing());
+        fresh_ = true;
+        return !(sight_.axis.normal == V3{});
+    }
+    bool see()
+    {
+        if (!watch_.can_follow()) return look();
+        sight_ = watch_.follow(course_.facing());
+        fresh_ = false;
+        return !(sight_.axis.normal == V3{});
+    }
+    std::optional<Leap> back()
+    {
+        if (course_.now() != start_) course_.go(start_);
+        return {};
+    }
+    std::optional<Leap> proven()
+    {
+        const TurningAxis axis{sight_.axis.normal, -sight_.axis.spin};
+        const double at = course_.now(), way = at - start_;
+        const Step step = safe_step(backwards(course_.facing()), axis, way);
+        if (step.length >= way) return Leap{start_, at, sight_};
+        course_.go(start_);
+        if (!(step.length > 0)) return {};
+        return Leap{at - step.length, at, sight_};
+    }
+
+    Course<Part>& course_;
+    WatchOfPart& watch_;
+    Sight sight_;
+    double start_;
+    bool fresh_ = true; // whether the sight is that of a look
+};
+
+} // namespace
+
+template <class Part, class WatchOfPart>
+std::optional<Leap> leap(Course<Part>& course, WatchOfPart& watch, const Sight& seen)
+{
+    return Leaping<Part, WatchOfPart>(course, watch, seen).run();
+}
+
+template std::optional<Leap> leap(Course<Core>&, Watch&, const Sight&);
+template std::optional<Leap> leap(Course<Border>&, BorderWatch&, const Sight&);
+
+} // namespace brink

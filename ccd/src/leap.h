@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "course.h"
+#include "sight.h"
+
+#include <optional>
+
+namespace brink {
+
+/// A place of contact ahead that was guessed, and what is proven about the way there.
+struct Leap {
+    double from = 0, at = 0; // times between which the bodies are proven apart
+    Sight sight;             // at the latter, within the tolerance of contact
+};
+
+/// Guesses when two bodies meet from how fast they near each other where they are, goes there, guesses again,
+/// and at last proves the way there backwards: near contact one axis proves far more of the time before than
+/// of the time to come. Leaves the course where it leads if all of the way is proven, else where it was. Not
+/// between curved surfaces, where a look from a place too far on takes long.
+template <class Part, class WatchOfPart>
+std::optional<Leap> leap(Course<Part>&, WatchOfPart&, const Sight& seen);
+
+} // namespace brink
