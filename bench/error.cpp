@@ -60,6 +60,7 @@ public:
     std::uint64_t run(const Output&, Effort) override;
     std::vector<Figure> figures(const Csv& csv) const override { return error_figures(error_points(csv)); }
     std::vector<Picture> pictures() const override;
+    std::string verdict(const Csv& csv) const override { return error_verdict(error_points(csv)); }
 
 private:
     int queries_ = 400;

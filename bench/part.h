@@ -61,6 +61,8 @@ public:
     virtual std::string_view csv() const = 0;
     virtual std::vector<Figure> figures(const Csv&) const = 0;
     virtual std::vector<Picture> pictures() const = 0;
+    /// What the CSV shows, in words, where figures do not say it; may be empty.
+    virtual std::string verdict(const Csv&) const { return {}; }
 };
 
 /// An option of one or several names, separated by commas, or "all".

@@ -129,6 +129,8 @@ std::string section(const std::filesystem::path& folder, const Part& part, const
     std::string text = fmt::format("<h2>{}</h2>\n<p>{}</p>\n", part.name(), escaped(part.about()));
     if (!std::filesystem::exists(folder / part.csv()))
         return text + fmt::format("<p>Not measured: there is no {} in the folder.</p>\n", part.csv());
+    if (const std::string verdict = part.verdict(*read_csv(folder / part.csv())); !verdict.empty())
+        text += fmt::format("<pre>{}</pre>\n", escaped(verdict));
     for (const Picture& picture : part.pictures())
         text += figure(folder, picture);
     for (const Found& found : all)
