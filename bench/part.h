@@ -72,6 +72,7 @@ std::vector<std::string> chosen(const std::vector<std::string>& value, std::vect
 std::unique_ptr<Part> tunnelling_part();
 std::unique_ptr<Part> error_part();
 std::unique_ptr<Part> stability_part();
+std::unique_ptr<Part> turning_part();
 std::unique_ptr<Part> pairs_part();
 std::unique_ptr<Part> ingredients_part();
 std::unique_ptr<Part> scene_part();

@@ -118,8 +118,9 @@ std::string tunnelling_plot(const std::vector<Row>& rows)
         names.emplace_back(scene.name);
         titles.emplace_back(scene.title);
         units.emplace_back(scene.thickness);
-        verdicts.push_back(
-            fmt::format("brink missed {} of {}", thousands(brink.missed), thousands(brink.crossings)));
+        verdicts.push_back(fmt::format("brink missed {}, FCL advancement {}, of {}", thousands(brink.missed),
+                                       thousands(total(rows, scene, methods[4]).missed),
+                                       thousands(brink.crossings)));
         missed += brink.missed;
         crossings += brink.crossings;
     }
