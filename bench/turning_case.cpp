@@ -29,7 +29,7 @@ struct Asked {
     Query query;
     Toi toi;
     bool by_fcl = false;
-    std::optional<double> fcl;
+    support::Testimony fcl;
 };
 
 /// What is so about a query, and the means to ask for the gap at any time.
@@ -65,7 +65,7 @@ std::vector<Asked> ask(const Block& block, support::FclProcess& fcl)
     const std::vector<support::Testimony> testimonies = fcl.hear(hearings);
     auto next = testimonies.begin();
     for (Asked& asked : cases)
-        if (asked.by_fcl) asked.fcl = (next++)->advancement;
+        if (asked.by_fcl) asked.fcl = *next++;
     return cases;
 }
 
@@ -153,7 +153,11 @@ void judge_fcl(Scores& scores, const Asked& asked, const Known& known)
         ++score.unsettled;
         return;
     }
-    std::optional<double> t = asked.fcl;
+    if (asked.fcl.ending != support::Ending::answered) { // on a busy machine that is not FCL's fault alone
+        ++score.undecided;
+        return;
+    }
+    std::optional<double> t = asked.fcl.advancement;
     if (t && !(*t >= 0 && *t <= 1)) t.reset();
     judge(score, asked, known, t, fcl_nearness * known.question.fine().scale());
 }

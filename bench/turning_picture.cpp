@@ -136,7 +136,8 @@ std::string brink_says(const Score& s)
 
 std::string fcl_says(const Score& s)
 {
-    return fmt::format("FCL: {} wrong, {} late", percent(s.wrong, s.cases), percent(s.late, s.cases));
+    return fmt::format("FCL: {} wrong, {} late, {} hung", percent(s.wrong, s.cases), percent(s.late, s.cases),
+                       percent(s.undecided, s.cases));
 }
 
 std::string array(std::string_view name, const std::vector<std::string>& items)
@@ -179,10 +180,10 @@ std::string turning_plot(const Scores& scores)
     text += fmt::format("headline = \"Bodies that turn, as hard as can be: of {} queries brink answers {} "
                         "wrong and {} late\"\n",
                         count(brink.cases), count(brink.wrong), count(brink.late));
-    text += fmt::format("subline = \"{} of shapes, each query judged in 100 digits; the worst gap that brink "
-                        "leaves is {:.4f} of what it may\"\n",
+    text += fmt::format("subline = \"{}, each query judged in 100 digits; the worst gap that brink leaves is "
+                        "{:.4f} of what it may; answers that break any promise: {}\"\n",
                         pairs.size() == 1 ? "1 pair" : fmt::format("{} pairs", pairs.size()),
-                        Score::at_share(brink.used, 1));
+                        Score::at_share(brink.used, 1), brink.broken);
     std::string plot = std::string(formulas) + in_both_formats("turning", sheet, drawing);
     std::string choose;
     std::size_t panel = 0;

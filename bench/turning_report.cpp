@@ -27,9 +27,9 @@ std::string row(std::string_view name, const Score& brink, const Score& fcl)
                         share(brink.steps, 1, "{:.1e}"), share(brink.used, 0.5, "{:.1g}"),
                         share(brink.used, 1, "{:.3f}"));
     if (fcl.cases == 0) return text + " |      -\n";
-    return text + fmt::format(" | {:>6} {:>5} {:>5} {:>8} {:>8} {:>8}\n", fcl.cases, fcl.wrong, fcl.late,
-                              share(fcl.steps, 0.5, "{:.1e}"), share(fcl.steps, 1, "{:.1e}"),
-                              share(fcl.used, 1, "{:.1e}"));
+    return text + fmt::format(" | {:>6} {:>5} {:>5} {:>5} {:>8} {:>8} {:>8}\n", fcl.cases, fcl.wrong,
+                              fcl.late, fcl.undecided, share(fcl.steps, 0.5, "{:.1e}"),
+                              share(fcl.steps, 1, "{:.1e}"), share(fcl.used, 1, "{:.1e}"));
 }
 
 std::string heading(std::string_view what)
@@ -38,9 +38,10 @@ std::string heading(std::string_view what)
                        "FCL conservative advancement") +
            fmt::format(
                "{:<22} {:>6} {:>6} | {:>5} {:>5} {:>5} {:>5} {:>5} {:>5} {:>5} {:>8} {:>8} {:>8} {:>8} "
-               "| {:>6} {:>5} {:>5} {:>8} {:>8} {:>8}\n",
+               "| {:>6} {:>5} {:>5} {:>5} {:>8} {:>8} {:>8}\n",
                what, "cases", "meet", "wrong", "late", "brokn", "undec", "stuck", "cons", "unjud", "p50 dt",
-               "max dt", "p50 used", "max used", "asked", "wrong", "late", "p50 dt", "max dt", "max used");
+               "max dt", "p50 used", "max used", "asked", "wrong", "late", "hung", "p50 dt", "max dt",
+               "max used");
 }
 
 constexpr std::string_view legend = R"(
@@ -49,8 +50,8 @@ the scale for FCL), or none said where there is one; late: said at a t after it 
 that break a promise in any way. undec: neither contact nor none is said; stuck: of these, where nothing grazes. cons: a
 contact said as not proven (t_upper infinite). unjud: the referee ran out of evaluations. dt: |t - t*| in steps. used: the gap
 left at t over what promise 3 allows there, the tolerance mostly (1e-9 where the class does not set it): above 1 is a breach.
-FCL is asked where it is trusted with the pair, no gap is to be kept and no body turns by more than half a turn; no answer
-counts as none said. It promises nothing like promise 3, and takes no tolerance.
+FCL is asked where it is trusted with the pair, no gap is to be kept and no body turns by more than half a turn; hung: it
+crashed, or took more than 100 ms, and is counted as neither. It promises nothing like promise 3, and takes no tolerance.
 )";
 
 } // namespace
