@@ -126,7 +126,7 @@ std::string ticks(const support::TurningClass& c)
 std::string percent(std::uint64_t part, std::uint64_t whole)
 {
     if (part == 0 || whole == 0) return "0";
-    return fmt::format("{:.1f} %", 100 * static_cast<double>(part) / static_cast<double>(whole));
+    return fmt::format("{:.1f}", 100 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
 std::string brink_says(const Score& s)
@@ -136,8 +136,8 @@ std::string brink_says(const Score& s)
 
 std::string fcl_says(const Score& s)
 {
-    return fmt::format("FCL: {} wrong, {} late, {} hung", percent(s.wrong, s.cases), percent(s.late, s.cases),
-                       percent(s.undecided, s.cases));
+    return fmt::format("FCL, %: {} wrong, {} late, {} hung", percent(s.wrong, s.cases),
+                       percent(s.late, s.cases), percent(s.undecided, s.cases));
 }
 
 std::string array(std::string_view name, const std::vector<std::string>& items)
