@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "crossing.h"
 
+#include "crossing_turning.h"
+
 #include <cmath>
 
 namespace brink::bench {
@@ -109,10 +111,13 @@ Crossing ball_at_ball(Random& random, double speed)
 
 } // namespace
 
-const std::array<Scene, 3> scenes{{
+const std::array<Scene, 6> scenes{{
     {"ball_wall", "a ball at a thin wall", "the wall's thickness", ball_at_wall},
     {"capsule_edge", "a capsule at a thin box, edge-on", "the box's thickness", capsule_at_edge},
     {"ball_ball", "two small balls crossing", "the balls' mean diameter", ball_at_ball},
+    {"rod_post", "a spinning rod at a thin post", "the post's thickness", rod_at_post},
+    {"blade_ball", "a hinged blade at a small ball", "the ball's diameter", blade_at_ball},
+    {"box_wall", "a spinning box at a thin wall", "the wall's thickness", box_at_wall},
 }};
 
 } // namespace brink::bench

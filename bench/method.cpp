@@ -6,19 +6,13 @@ namespace {
 
 using support::FclQuestion;
 
-Pose moved(const Motion& motion, double t)
-{
-    return {motion.start.position + t * motion.translation, motion.start.orientation};
-}
-
 /// Stops at the first part whose end shows an overlap, as a simulator would. The step's beginning was the end
 /// of the step before.
 template <int parts> std::optional<double> discrete(const Question& q)
 {
     for (int k = 1; k <= parts; ++k) {
         const double t = static_cast<double>(k) / parts;
-        if (fcl_collide(q.fcl_a, moved(q.crossing.motion_a, t), q.fcl_b, moved(q.crossing.motion_b, t)))
-            return t;
+        if (fcl_collide(q.fcl_a, q.crossing.motion_a.at(t), q.fcl_b, q.crossing.motion_b.at(t))) return t;
     }
     return std::nullopt;
 }

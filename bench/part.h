@@ -74,6 +74,7 @@ std::vector<std::string> chosen(const std::vector<std::string>& value, std::vect
 std::unique_ptr<Part> tunnelling_part();
 std::unique_ptr<Part> error_part();
 std::unique_ptr<Part> stability_part();
+std::unique_ptr<Part> turning_part();
 std::unique_ptr<Part> pairs_part();
 std::unique_ptr<Part> replay_part();
 std::unique_ptr<Part> ingredients_part();

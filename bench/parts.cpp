@@ -33,6 +33,7 @@ std::vector<std::unique_ptr<Part>> all_parts()
     parts.push_back(replay_part());
     parts.push_back(ingredients_part());
     parts.push_back(stability_part());
+    parts.push_back(turning_part());
     return parts;
 }
 

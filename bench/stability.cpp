@@ -4,23 +4,19 @@
 #include "stability_case.h"
 #include "stability_picture.h"
 #include "stability_report.h"
+#include "stability_run.h"
 
 #include <stress.h>
 
 #include <algorithm>
-#include <atomic>
 #include <fmt/format.h>
 #include <map>
-#include <mutex>
-#include <thread>
 
 namespace brink::bench {
 namespace {
 
 constexpr std::uint64_t block_size = 100;
-constexpr int fcl_patience_ms = 100;       // one answer takes microseconds, where it does not hang
 constexpr std::uint64_t quick_cases = 200; // see Part::run
-constexpr std::size_t complaints_shown = 4;
 
 struct StabilityOptions {
     std::uint64_t cases = 0; // of each pair and class; 0: by default
@@ -76,42 +72,6 @@ std::vector<Block> plan(const StabilityOptions& options)
     return blocks;
 }
 
-/// Each worker has an FCL process of its own.
-Scores measure(const std::vector<Block>& blocks, std::size_t threads)
-{
-    Scores scores;
-    Progress progress("stability", static_cast<int>(blocks.size()));
-    std::mutex mutex;
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        support::FclProcess fcl(fcl_patience_ms);
-        for (std::size_t i = next++; i < blocks.size(); i = next++) {
-            const Scores more = measure(blocks[i], fcl);
-            const std::scoped_lock lock(mutex);
-            scores.add(more);
-            progress.step();
-        }
-    };
-    std::vector<std::thread> workers;
-    for (std::size_t i = 0; i < threads; ++i)
-        workers.emplace_back(work);
-    for (std::thread& worker : workers)
-        worker.join();
-    return scores;
-}
-
-void print_complaints(const Scores& scores)
-{
-    std::vector<Complaint> first = scores.complaints;
-    std::sort(first.begin(), first.end(),
-              [](const Complaint& a, const Complaint& b) { return a.precedes(b); });
-    for (std::size_t i = 0; i < std::min(first.size(), complaints_shown); ++i)
-        fmt::print("{}, {}, case {}:\n{}\n", support::all_pairs()[first[i].spot.pair].name(),
-                   support::stress_classes[first[i].spot.kind].name, first[i].index, first[i].text);
-    if (first.size() > complaints_shown)
-        fmt::print("... and one at least in {} more pairs and classes.\n", first.size() - complaints_shown);
-}
-
 /// Error of t and wrong decisions of brink, the textbook's formulas and FCL, pair by pair and class by class,
 /// against the referee of 200 digits.
 class Stability final : public Part {
@@ -159,18 +119,13 @@ std::uint64_t Stability::run(const Output& output, Effort effort)
     }
     StabilityOptions options = options_;
     if (effort == Effort::quick && options.cases == 0) options.cases = quick_cases;
-    const unsigned threads =
-        options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-    const Scores scores = measure(plan(options), threads);
+    const Scores scores = measure_all("stability", plan(options), measure, options.threads);
     output.write(csv(), stability_csv(scores));
     fmt::print("{}\n{}\n", machine(), stability_table(scores));
-    print_complaints(scores);
+    print_complaints(scores, [](std::size_t kind) { return support::stress_classes[kind].name; });
     fmt::print("{}\n", output.draw("stability", stability_plot(scores)));
     fmt::print("Figures: {}\n", output.path_of(csv()));
-    std::uint64_t broken = 0;
-    for (const auto& [spot, by_solver] : scores.at)
-        broken += by_solver[static_cast<std::size_t>(Solver::brink)].broken;
-    return broken;
+    return broken(scores);
 }
 
 /// All classes of a pair together. The error is in units of t's last place there, and no step's: left out.
@@ -195,8 +150,7 @@ std::vector<Figure> Stability::figures(const Csv& csv) const
 
 std::vector<Picture> Stability::pictures() const
 {
-    return {{"stability",
-             "How far t is off as a query gets harder: brink's line stays at one unit of the last place."}};
+    return {{"stability", "No cross in brink's rows: no wrong hit or miss, however hard the query."}};
 }
 
 } // namespace

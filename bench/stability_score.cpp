@@ -18,16 +18,19 @@ void Score::add(const Score& more)
     backward = std::max(backward, more.backward);
     backward_centres = std::max(backward_centres, more.backward_centres);
     bracket = std::max(bracket, more.bracket);
+    unsettled += more.unsettled;
+    stuck += more.stuck;
     ulps.insert(ulps.end(), more.ulps.begin(), more.ulps.end());
+    steps.insert(steps.end(), more.steps.begin(), more.steps.end());
+    used.insert(used.end(), more.used.begin(), more.used.end());
 }
 
-double Score::ulp_at(double share) const
+double Score::at_share(std::vector<double> values, double share)
 {
-    if (ulps.empty()) return 0;
-    std::vector<double> sorted = ulps;
-    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(ulps.size()))) - 1;
-    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
-    return sorted[static_cast<std::size_t>(rank)];
+    if (values.empty()) return 0;
+    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size()))) - 1;
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
 }
 
 bool Complaint::precedes(const Complaint& other) const

@@ -33,9 +33,17 @@ struct Score {
     double bracket = 0;             // brink: most of t_upper - t in units of t's last place
     std::vector<double> ulps;       // error of t of each hit, in units of the last place of the exact t
 
+    // Where bodies turn:
+    std::uint64_t unsettled = 0; // the referee ran out of evaluations: nothing is said of these
+    std::uint64_t stuck = 0;     // brink's undecided ones where nothing grazes
+    std::vector<double> steps;   // error of t of each hit, in steps
+    std::vector<double> used;    // gap(t) - target_gap of each hit, over what design promise 3 allows
+
     void add(const Score&);
-    /// The error that a share of hits does not exceed; the share 1 is the maximum. 0 without hits.
-    double ulp_at(double share) const;
+    /// The error that a share of hits does not exceed. 0 without hits.
+    double ulp_at(double share) const { return at_share(ulps, share); }
+    /// What a share of the values does not exceed; the share 1 is the maximum. 0 without values.
+    static double at_share(std::vector<double> values, double share);
 };
 
 /// A pair and class by their index, and the step of the class's level.

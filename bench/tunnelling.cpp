@@ -2,7 +2,9 @@
 #include "machine.h"
 #include "method.h"
 #include "part.h"
+#include "tunnelling_picture.h"
 #include "tunnelling_report.h"
+#include "tunnelling_strip.h"
 
 #include <print.h>
 
@@ -103,7 +105,7 @@ public:
     std::string_view name() const override { return "tunnelling"; }
     std::string_view about() const override
     {
-        return "bodies through thin walls: discrete checks, FCL and brink; which are lost";
+        return "bodies that fly or turn through thin walls: discrete checks, FCL and brink; which are lost";
     }
     std::string_view csv() const override { return "tunnelling.csv"; }
     void describe(CLI::App&) override;
@@ -132,6 +134,8 @@ std::uint64_t Tunnelling::run(const Output& output, Effort effort)
     output.write(csv(), tunnelling_csv(rows));
     fmt::print("{}\n{}\n", machine(), tunnelling_table(rows));
     fmt::print("{}\n", output.draw("tunnelling", tunnelling_plot(rows)));
+    if (const std::optional<StripCase> strip = strip_case(seed_))
+        fmt::print("{}\n", output.draw("tunnelling_strip", strip_plot(*strip)));
     fmt::print("Figures: {}\n", output.path_of(csv()));
     std::uint64_t missed = 0;
     for (const Scene& scene : scenes)
@@ -162,7 +166,9 @@ std::vector<Figure> Tunnelling::figures(const Csv& csv) const
 std::vector<Picture> Tunnelling::pictures() const
 {
     return {{"tunnelling", "A discrete check loses the fast ones, and the more the faster they are; brink's "
-                           "line lies on zero."}};
+                           "line lies on zero."},
+            {"tunnelling_strip", "Ten checks see the box on either side of the wall and never in it; brink "
+                                 "gives the pose of contact."}};
 }
 
 } // namespace

@@ -29,10 +29,17 @@ struct Row {
 /// Over all speeds: counts added, the worst error of all, the mean time.
 Tally total(const std::vector<Row>&, const Scene&, const Method&);
 
+/// Percents.
+struct Interval {
+    double low = 0, high = 0;
+};
+double percent(int part, int whole);
+/// Where the true share lies, with 95 % confidence: E. Wilson's score interval (1927), which holds where
+/// nothing was counted too.
+Interval confidence(int part, int whole);
+
 std::string tunnelling_csv(const std::vector<Row>&);
 /// One row per scene and method: the share missed at each whole decade of speed, and over all speeds.
 std::string tunnelling_table(const std::vector<Row>&);
-/// The gnuplot script that draws tunnelling.csv.
-std::string tunnelling_plot(const std::vector<Row>&);
 
 } // namespace brink::bench

@@ -2,6 +2,7 @@
 #include "stress_draft.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace brink::support {
 
@@ -24,6 +25,15 @@ Shape scaled(Shape shape, double s)
     if (auto* solid = std::get_if<HalfSpace>(&shape)) solid->offset *= s;
     if (auto* c = std::get_if<Capsule>(&shape)) *c = Capsule{s * c->a, s * c->b, s * c->radius};
     if (auto* t = std::get_if<Triangle>(&shape)) *t = Triangle{s * t->a, s * t->b, s * t->c};
+    if (auto* c = std::get_if<Cylinder>(&shape)) *c = Cylinder{s * c->half_length, s * c->radius};
+    if (auto* c = std::get_if<Cone>(&shape)) *c = Cone{s * c->half_length, s * c->radius};
+    if (auto* e = std::get_if<Ellipsoid>(&shape)) e->radii *= s;
+    if (auto* h = std::get_if<Hull>(&shape)) {
+        std::vector<Vec3> points(h->vertices().begin(), h->vertices().end());
+        for (Vec3& p : points)
+            p *= s;
+        *h = Hull::from_points(points);
+    }
     return shape;
 }
 
