@@ -166,3 +166,18 @@ TEST_CASE("scene: no body is named twice, no visitor is empty")
     scene.set_motions(std::span(twice).first(1), std::span(motions).first(1));
     CHECK(scene.body(id).motion.start.position.x() == 1);
 }
+
+TEST_CASE("scene: a floor away from the origin is met whatever layers are off")
+{
+    Scene scene;
+    Body floor = at(HalfSpace{{0, 0, 1}, -5}, {0, 0, 0});
+    floor.immovable = true;
+    scene.add(floor);
+    scene.add({.shape = Sphere{1}, .motion = moving({0, 0, 0}, {0, 0, -10})});
+    scene.add({.shape = Sphere{1}, .motion = moving({50, 0, 0}, {0, 0, 10})});
+    SceneOptions options;
+    options.without = Layers(Layer::receding) | Layer::spheres | Layer::late;
+    CHECK(scene.impacts(options).found.size() == 1);
+    CHECK(scene.candidates(Bounds::boxes).size() == 1);
+    CHECK(scene.candidates(Bounds::balls).size() == 1);
+}

@@ -109,8 +109,8 @@ void make_packet(Packet& p, const BlockTree& tree, std::uint32_t leaf, const Pla
     p.least = tree.least[0][leaf];
     p.far = 0;
     std::copy_n(tree.slots.begin() + static_cast<std::ptrdiff_t>(first), lanes, p.slots);
+    if (plan.with_balls) p.balls = tree.balls[leaf];
     if (plan.rules.balls) {
-        p.balls = tree.balls[leaf];
         for (int lane = 0; lane < lanes; ++lane)
             p.far |= static_cast<Mask>(magnitude(p.balls, lane) > long_path * p.balls.radius[lane]) << lane;
         p.far &= p.held;

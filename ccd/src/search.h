@@ -48,6 +48,7 @@ struct Plan {
     Layers without{};
     const Scene::PairFilter* filter = nullptr;
     bool with_unbounded = true;
+    bool with_balls = true;        // packets are given them: the rules ask for them, or the unbounded do
     bool only_movers = false;      // against them and against what is unbounded
     bool bounded_only = false;     // a plane or half-space is cast
     const Packet* alone = nullptr; // a shape that is cast, or a ray, in place of the scene's own bodies
@@ -71,6 +72,7 @@ public:
     void run(const BodyStore& store, const BroadPhase& broad, Plan& plan, Prepare prepare, Decide decide,
              Take take)
     {
+        plan.with_balls = plan.rules.balls || (plan.with_unbounded && !broad.unbounded.empty());
         begin(store, broad, plan);
         while (next_round(plan)) {
             const auto began = std::chrono::steady_clock::now();
