@@ -20,8 +20,8 @@ using support::Query;
 using support::Question;
 
 constexpr double epsilon = 0x1p-52;
-constexpr double fcl_nearness = 1e-4;  // of the scale: a gap at which FCL may say contact, as is its default
-constexpr double half_turn = 3.141592; // a little less, in radians: FCL loses turns beyond
+constexpr double fcl_nearness = 1e-4; // of the scale: a gap at which FCL may say contact, as is its default
+constexpr double widest_turn = 3.1;   // radians, as FclProcess asks: FCL loses turns beyond pi
 
 struct Asked {
     std::uint64_t index = 0;
@@ -39,11 +39,13 @@ struct Known {
     Question question;
 };
 
-/// FCL knows of no gap to be kept.
+/// FCL knows of no gap to be kept; and a hull's vertices lie in this process's own memory, where FCL's cannot
+/// see those made after it was started.
 bool for_fcl(const Query& q)
 {
-    return q.options.target_gap == 0 && q.motion_a.rotation.norm() < half_turn &&
-           q.motion_b.rotation.norm() < half_turn &&
+    return q.options.target_gap == 0 && q.motion_a.rotation.norm() < widest_turn &&
+           q.motion_b.rotation.norm() < widest_turn && !std::holds_alternative<Hull>(q.b) &&
+           !std::holds_alternative<Hull>(q.a) &&
            fcl_trusts(support::FclQuestion::conservative_advancement, q.a, q.b);
 }
 
