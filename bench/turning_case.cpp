@@ -39,13 +39,11 @@ struct Known {
     Question question;
 };
 
-/// FCL knows of no gap to be kept; and a hull's vertices lie in this process's own memory, where FCL's cannot
-/// see those made after it was started.
+/// FCL knows of no gap to be kept.
 bool for_fcl(const Query& q)
 {
     return q.options.target_gap == 0 && q.motion_a.rotation.norm() < widest_turn &&
-           q.motion_b.rotation.norm() < widest_turn && !std::holds_alternative<Hull>(q.b) &&
-           !std::holds_alternative<Hull>(q.a) &&
+           q.motion_b.rotation.norm() < widest_turn &&
            fcl_trusts(support::FclQuestion::conservative_advancement, q.a, q.b);
 }
 

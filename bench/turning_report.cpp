@@ -50,7 +50,7 @@ the scale for FCL), or none said where there is one; late: said at a t after it 
 that break a promise in any way. undec: neither contact nor none is said; stuck: of these, where nothing grazes. cons: a
 contact said as not proven (t_upper infinite). unjud: the referee ran out of evaluations. dt: |t - t*| in steps. used: the gap
 left at t over what promise 3 allows there, the tolerance mostly (1e-9 where the class does not set it): above 1 is a breach.
-FCL is asked where it is trusted with the pair, but not of hulls, no gap is to be kept and no body turns by more than 3.1
+FCL is asked where it is trusted with the pair, no gap is to be kept and no body turns by more than 3.1
 radians; hung: it crashed, or took more than 100 ms, and is counted as neither. It promises nothing like promise 3, and takes
 no tolerance.
 )";
