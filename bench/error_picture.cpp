@@ -230,7 +230,7 @@ std::string error_sheet(const ErrorPoints& points, std::string_view stem, std::s
                     times_named, errors_named);
     int label = 110;
     for (const ErrorPoint& p : points)
-        if (p.is_brink() && (p.setting == "1e-03" || p.setting == "1e-09" || p.setting == "1e-14"))
+        if (p.is_brink() && (p.setting == "1e-03" || p.setting == "1e-14"))
             drawing += fmt::format(
                 "    set label {} '10^{{-{}}}' at {:.3e}, {:.2f} center offset 0, -1 textcolor rgb "
                 "'{}' font middle_size\n",

@@ -68,16 +68,29 @@ int explain(const CLI::App& app, std::string_view wrong)
     return bad_input;
 }
 
-int run(const Command& command, const std::vector<std::unique_ptr<Part>>& parts)
+/// What was asked for, but for the folder.
+std::string asked(int argc, char** argv)
+{
+    std::string text = "brink-bench";
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "--out")
+            ++i;
+        else if (!word.starts_with("--out="))
+            text += fmt::format(" {}", word);
+    }
+    return text;
+}
+
+int run(const Command& command, const Order& order, const std::vector<std::unique_ptr<Part>>& parts)
 {
     if (command.compare->parsed()) return compare(command.before, command.after) == 0 ? 0 : got_worse;
     const Output output(command.out);
     std::uint64_t broken = 0;
-    if (command.all->parsed())
-        broken = run_all(output, command.effort, command.go_on ? Parts::missing : Parts::all);
+    if (command.all->parsed()) broken = run_all(output, order, command.go_on ? Parts::missing : Parts::all);
     if (command.record->parsed()) run_record(output, command.rubble);
     for (std::size_t i = 0; i < parts.size(); ++i)
-        if (command.parts[i]->parsed()) broken = run_part(*parts[i], output, command.effort);
+        if (command.parts[i]->parsed()) broken = run_part(*parts[i], output, order);
     return broken == 0 ? 0 : broke_a_promise;
 }
 
@@ -92,7 +105,7 @@ int main(int argc, char** argv)
     try {
         app.parse(argc, argv);
         if (app.get_subcommands().empty()) return explain(app, "which part?");
-        return run(command, parts);
+        return run(command, {asked(argc, argv), command.effort}, parts);
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {

@@ -130,7 +130,9 @@ std::string section(const std::filesystem::path& folder, const Part& part, const
     if (!std::filesystem::exists(folder / part.csv()))
         return text + fmt::format("<p>Not measured: there is no {} in the folder.</p>\n", part.csv());
     if (const std::string verdict = part.verdict(*read_csv(folder / part.csv())); !verdict.empty())
-        text += fmt::format("<pre>{}</pre>\n", escaped(verdict));
+        text += fmt::format(
+            "<details><summary>Who comes near, question by question</summary>\n<pre>{}</pre></details>\n",
+            escaped(verdict));
     for (const Picture& picture : part.pictures())
         text += figure(folder, picture);
     for (const Found& found : all)
