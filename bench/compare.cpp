@@ -11,10 +11,11 @@
 namespace brink::bench {
 namespace {
 
-constexpr double spread_unknown = 0.1;  // of a time whose repetitions were not kept
-constexpr double deviations = 3;        // a change beyond so many is none of the noise
-constexpr double least_slowdown = 1.05; // less is not worth a word
-constexpr double less_exact = 1.5;      // the same queries and the same code give the same error
+constexpr double spread_unknown = 0.1; // of a time whose repetitions were not kept
+constexpr double deviations = 4;       // a change beyond so many is none of the noise, of a thousand too
+constexpr double deviation_by_median = 1.4826; // of a normal distribution, over its median deviation
+constexpr double least_slowdown = 1.05;        // less is not worth a word
+constexpr double less_exact = 1.5;             // the same queries and the same code give the same error
 
 /// Brink's time over the geometric mean of its rivals'.
 struct Ratio {
@@ -65,6 +66,20 @@ double share(std::int64_t count, std::int64_t cases)
     return static_cast<double>(count) / static_cast<double>(std::max<std::int64_t>(cases, 1));
 }
 
+double median(std::vector<double> values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// How one time of brink's has changed, beside its rivals'.
+struct Change {
+    double log = 0;
+    double variance = 0; // of log, by the repetitions within the two runs
+    std::string what;
+};
+
 /// What one part has become.
 class Comparison {
 public:
@@ -77,15 +92,14 @@ public:
             compare_times(*then, now);
             compare_answers(*then, now);
         }
+        if (!changes_.empty()) judge_times();
     }
 
     std::string row() const
     {
-        const auto n = static_cast<double>(std::max(timed_, 1));
-        return fmt::format("{:<12} {:>9} {:>10} {:>13} {:>10} {:>10}\n", after_.part, questions_, timed_,
-                           timed_ > 0 ? fmt::format("{:.3f}", std::exp(logs_ / n)) : "-",
-                           timed_ > 0 ? fmt::format("{:.1f} %", 100 * std::sqrt(variances_ / n)) : "-",
-                           findings.size());
+        return fmt::format("{:<12} {:>9} {:>10} {:>13} {:>10} {:>10}\n", after_.part, questions_,
+                           changes_.size(), changes_.empty() ? "-" : fmt::format("{:.3f}", std::exp(middle_)),
+                           changes_.empty() ? "-" : fmt::format("{:.1f} %", 100 * drift_), findings.size());
     }
 
     std::vector<std::string> findings;
@@ -96,15 +110,32 @@ private:
         const std::vector<std::string> rivals = common_rivals(before_, after_, now.question);
         if (rivals.empty() || !timed(&then) || !timed(&now)) return;
         const Ratio old = ratio(before_, then, rivals), fresh = ratio(after_, now, rivals);
-        const double change = fresh.log - old.log, variance = old.variance + fresh.variance;
-        ++timed_;
-        logs_ += change;
-        variances_ += variance;
-        if (change > std::log(least_slowdown) && change > deviations * std::sqrt(variance))
-            findings.push_back(
-                fmt::format("{}: {}: slower, {:.2f} times (spread {:.0f} %): {:.3g} -> {:.3g} ns beside {}",
-                            now.question, now.who, std::exp(change), 100 * std::sqrt(variance), then.time,
-                            now.time, fmt::join(rivals, ", ")));
+        changes_.push_back(
+            {fresh.log - old.log, old.variance + fresh.variance,
+             fmt::format("{}: {}: {:.3g} -> {:.3g} ns", now.question, now.who, then.time, now.time)});
+    }
+
+    /// A machine drifts between its repetitions and between runs: by how much, the many questions that did
+    /// not change tell.
+    void judge_times()
+    {
+        std::vector<double> values;
+        for (const Change& c : changes_)
+            values.push_back(c.log);
+        middle_ = median(values);
+        for (double& value : values)
+            value = std::fabs(value - middle_);
+        drift_ = deviation_by_median * median(values);
+        const double least = std::log(least_slowdown);
+        const auto n = static_cast<double>(changes_.size());
+        if (middle_ > least + deviations * drift_ / std::sqrt(n))
+            findings.push_back(fmt::format("all of it: slower, {:.2f} times", std::exp(middle_)));
+        for (const Change& c : changes_) {
+            const double spread = std::sqrt(c.variance + drift_ * drift_);
+            if (c.log > least && c.log - std::max(middle_, 0.0) > deviations * spread)
+                findings.push_back(fmt::format("{}: slower, {:.2f} times (spread {:.0f} %)", c.what,
+                                               std::exp(c.log), 100 * spread));
+        }
     }
 
     void compare_answers(const Figure& then, const Figure& now)
@@ -128,8 +159,9 @@ private:
     }
 
     const Found &before_, &after_;
-    int questions_ = 0, timed_ = 0;
-    double logs_ = 0, variances_ = 0;
+    int questions_ = 0;
+    std::vector<Change> changes_;
+    double middle_ = 0, drift_ = 0; // of the changes' logarithms: their median, and the deviation about it
 };
 
 std::vector<Found> something_in(const std::filesystem::path& folder)
@@ -157,9 +189,9 @@ int compare(const std::filesystem::path& before, const std::filesystem::path& af
         for (const std::string& finding : comparison.findings)
             findings.push_back(fmt::format("{}: {}", now.part, finding));
     }
-    fmt::print("Time: brink's over the geometric mean of its rivals' in the same run; a question counts as "
-               "slower beyond {} "
-               "deviations and {:.0f} %.\n",
+    fmt::print("Time: brink's over the geometric mean of its rivals' in the same run, the median over the "
+               "questions; spread: of "
+               "single questions about\nit. One counts as slower beyond {} deviations and {:.0f} %.\n",
                deviations, 100 * (least_slowdown - 1));
     for (const std::string& finding : findings)
         fmt::print("{}\n", finding);
