@@ -128,7 +128,10 @@ private:
         drift_ = deviation_by_median * median(values);
         const double least = std::log(least_slowdown);
         const auto n = static_cast<double>(changes_.size());
-        if (middle_ > least + deviations * drift_ / std::sqrt(n))
+        double variance = drift_ * drift_;
+        for (const Change& c : changes_)
+            variance += c.variance / n;
+        if (middle_ > least + deviations * std::sqrt(variance / n))
             findings.push_back(fmt::format("all of it: slower, {:.2f} times", std::exp(middle_)));
         for (const Change& c : changes_) {
             const double spread = std::sqrt(c.variance + drift_ * drift_);
