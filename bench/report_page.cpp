@@ -29,7 +29,7 @@ details { margin: 1rem 0; } summary { cursor: pointer; }
 )";
 
 constexpr std::string_view columns = R"(
-<p>time / brink's: how many times as long as brink, the geometric mean over the questions that both were asked, and the
+<p>ns: of a query, or of a body in a step of a scene, the geometric mean over the questions. time / brink's: how many times as long as brink, the geometric mean over the questions that both were asked, and the
 least and the most of one question. error of t: in fractions of the step, the median of the questions' medians, and the
 worst of all. missed: a contact not said. false: a contact said where there is none. wrong: either, where a part does not
 tell them apart. late: a contact said after it happened. -: not counted or not measured there.</p>

@@ -28,7 +28,7 @@ SummaryRow row_of(const Found& found, const std::string& who)
 {
     SummaryRow row{.part = found.part, .who = who};
     std::vector<double> errors;
-    double logs = 0;
+    double logs = 0, log_ns = 0;
     int timed = 0;
     for (const Figure& f : found.figures) {
         const Figure* brink = f.who == who ? brink_in(found.figures, f.question) : nullptr;
@@ -37,6 +37,7 @@ SummaryRow row_of(const Found& found, const std::string& who)
         if (std::isfinite(f.time) && brink->time > 0) {
             const double times = f.time / brink->time;
             logs += std::log(times);
+            log_ns += std::log(f.time);
             row.fewest = timed == 0 ? times : std::min(row.fewest, times);
             row.most = timed == 0 ? times : std::max(row.most, times);
             ++timed;
@@ -49,7 +50,10 @@ SummaryRow row_of(const Found& found, const std::string& who)
         add(row.wrong, f.wrong);
         add(row.late, f.late);
     }
-    if (timed > 0) row.times = std::exp(logs / timed);
+    if (timed > 0) {
+        row.times = std::exp(logs / timed);
+        row.ns = std::exp(log_ns / timed);
+    }
     row.error = median(std::move(errors));
     return row;
 }
@@ -113,31 +117,26 @@ std::vector<SummaryRow> summary(const std::vector<Found>& all)
     return rows;
 }
 
-const std::vector<std::string> summary_heading{"questions",  "time / brink's", "from",  "to",
-                                               "error of t", "worst",          "cases", "missed",
-                                               "false",      "wrong",          "late"};
+const std::vector<std::string> summary_heading{"questions", "ns",         "time / brink's", "from",
+                                               "to",        "error of t", "worst",          "cases",
+                                               "missed",    "false",      "wrong",          "late"};
 
 std::vector<std::string> cells(const SummaryRow& r)
 {
-    return {thousands(r.questions),
-            number(r.times, "{:.3g}"),
-            number(r.fewest, "{:.3g}"),
-            number(r.most, "{:.3g}"),
-            number(r.error, "{:.1e}"),
-            number(r.worst, "{:.1e}"),
-            r.cases < 0 ? "-" : thousands(r.cases),
-            share(r.missed, r.cases),
-            share(r.false_hits, r.cases),
-            share(r.wrong, r.cases),
-            share(r.late, r.cases)};
+    return {thousands(r.questions),    std::isfinite(r.ns) ? thousands(std::llround(r.ns)) : "-",
+            number(r.times, "{:.3g}"), number(r.fewest, "{:.3g}"),
+            number(r.most, "{:.3g}"),  number(r.error, "{:.1e}"),
+            number(r.worst, "{:.1e}"), r.cases < 0 ? "-" : thousands(r.cases),
+            share(r.missed, r.cases),  share(r.false_hits, r.cases),
+            share(r.wrong, r.cases),   share(r.late, r.cases)};
 }
 
 std::string summary_table(const std::vector<SummaryRow>& rows)
 {
     const auto line = [](std::string_view part, std::string_view who, const std::vector<std::string>& c) {
         return fmt::format(
-            "{:<12} {:<30} {:>9} {:>14} {:>8} {:>8} {:>10} {:>8} {:>10} {:>16} {:>14} {:>14} {:>16}\n", part,
-            who, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10]);
+            "{:<12} {:<38} {:>9} {:>9} {:>14} {:>8} {:>8} {:>10} {:>8} {:>10} {:>14} {:>12} {:>13} {:>13}\n",
+            part, who, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], c[9], c[10], c[11]);
     };
     std::string text = line("part", "who", summary_heading);
     std::string_view last;

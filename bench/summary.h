@@ -25,6 +25,7 @@ bool is_brink(const Figure&);
 struct SummaryRow {
     std::string part, who;
     int questions = 0;
+    double ns = not_measured;                          // geometric mean
     double times = not_measured;                       // its time over brink's: geometric mean
     double fewest = not_measured, most = not_measured; // likewise, over single questions
     double error = not_measured;                       // median of the questions' medians, in steps

@@ -56,7 +56,7 @@ same_as_error_csv() {
 # The geometric mean of FCL's time over brink's, told anew from the CSV.
 same_mean() {
     local shown told
-    shown=$(rows_of summary | awk -F '\t' '$1 == "pairs" && $2 == "FCL" { print $4 }')
+    shown=$(rows_of summary | awk -F '\t' '$1 == "pairs" && $2 == "FCL" { print $5 }')
     told=$(awk -F, '$4 == "mixed" && $3 == "baseline" { brink[$1 $2] = $5 } $4 == "mixed" && $3 == "FCL" { fcl[$1 $2] = $5 }
         END { for (q in fcl) if (q in brink) { sum += log(fcl[q] / brink[q]); n++ } printf "%.3g", exp(sum / n) }' "$work/pairs.csv")
     echo "shown $shown, told $told"
