@@ -25,4 +25,4 @@ echo "== the same with -march=native against the library as installed"
 
 [ "${BRINK_CONSUMER:-}" != installed ] || exit 0
 echo "== add_subdirectory"
-consumer "$scratch/checkout" -DBRINK_CHECKOUT="$checkout" "$@"
+consumer "$scratch/checkout" -DBRINK_CHECKOUT="$checkout" -DCMAKE_BUILD_TYPE=Debug "$@" # sooner built
