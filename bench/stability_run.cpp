@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <fmt/format.h>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -60,6 +61,28 @@ std::uint64_t broken(const Scores& scores)
     for (const auto& [spot, by_solver] : scores.at)
         sum += by_solver[static_cast<std::size_t>(Solver::brink)].broken;
     return sum;
+}
+
+std::vector<Figure> figures_by_pair(const Csv& csv, std::string_view motion)
+{
+    std::map<std::pair<std::string, std::string>, Figure> sums;
+    for (std::size_t i = 0; i < csv.rows(); ++i) {
+        const std::string &pair = csv.text(i, "pair"), &solver = csv.text(i, "method");
+        Figure& f = sums[{pair, solver}];
+        if (f.cases < 0)
+            f = {.question = fmt::format("{}{}", pair, motion),
+                 .who = solver,
+                 .cases = 0,
+                 .wrong = 0,
+                 .late = 0};
+        f.cases += csv.count(i, "cases");
+        f.late += csv.count(i, "late");
+        f.wrong += csv.count(i, "wrong");
+    }
+    std::vector<Figure> figures;
+    for (auto& [key, figure] : sums)
+        figures.push_back(std::move(figure));
+    return figures;
 }
 
 } // namespace brink::bench

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 
 namespace brink::bench {
 namespace {
@@ -78,7 +77,7 @@ public:
     std::string_view csv() const override { return "turning.csv"; }
     void describe(CLI::App&) override;
     std::uint64_t run(const Output&, Effort) override;
-    std::vector<Figure> figures(const Csv&) const override;
+    std::vector<Figure> figures(const Csv& csv) const override { return figures_by_pair(csv, ", turning"); }
     std::vector<Picture> pictures() const override;
 
 private:
@@ -116,26 +115,6 @@ std::uint64_t TurningStability::run(const Output& output, Effort effort)
     fmt::print("{}\n", output.draw("turning", turning_plot(scores)));
     fmt::print("Figures: {}\n", output.path_of(csv()));
     return broken(scores);
-}
-
-/// All classes of a pair together. The levels differ too much for one error to stand for all: left out.
-std::vector<Figure> TurningStability::figures(const Csv& csv) const
-{
-    std::map<std::pair<std::string, std::string>, Figure> sums;
-    for (std::size_t i = 0; i < csv.rows(); ++i) {
-        Figure& f = sums[{csv.text(i, "pair"), csv.text(i, "method")}];
-        if (f.cases < 0) f.cases = f.late = f.wrong = 0;
-        f.cases += csv.count(i, "cases");
-        f.late += csv.count(i, "late");
-        f.wrong += csv.count(i, "wrong");
-    }
-    std::vector<Figure> figures;
-    for (auto& [key, figure] : sums) {
-        figure.question = key.first + ", turning";
-        figure.who = key.second;
-        figures.push_back(figure);
-    }
-    return figures;
 }
 
 std::vector<Picture> TurningStability::pictures() const

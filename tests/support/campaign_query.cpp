@@ -63,35 +63,15 @@ Query rocking(Random& random, Query q)
     return q;
 }
 
-/// The least gap of a coarse look over [0, t_max], made finer around the least.
-Real least_of_walk(const GapOverTime& motion, double t_max)
-{
-    constexpr int looks = 96;
-    Real from = 0;
-    Real to = t_max;
-    Real least = motion.at(0).gap;
-    for (int round = 0; round < 8; ++round) {
-        const int count = round == 0 ? looks : 8;
-        const Real step = (to - from) / count;
-        Real best = from;
-        for (int i = 0; i <= count; ++i) {
-            const Real here = motion.at(from + i * step).gap;
-            if (here > least) continue;
-            least = here;
-            best = from + i * step;
-        }
-        from = std::max<Real>(best - step, 0);
-        to = std::min<Real>(best + step, t_max);
-    }
-    return least;
-}
-
 Query grazing(Random& random, const Query& q)
 {
     const double size = random.log_between(1e-15, 1e-3);
     const int side = random.index(3);
     const GapOverTime motion(q);
-    return tuned(q, least_of_walk(motion, q.options.t_max), side == 0 ? -size : side == 1 ? size : 0);
+    return tuned(q, least_gap_seen(motion, q.options.t_max, {96, 8}),
+                 side == 0   ? -size
+                 : side == 1 ? size
+                             : 0);
 }
 
 } // namespace

@@ -57,6 +57,28 @@ Real least_gap(const GapOverTime& motion, double t_max, int steps)
     return std::min(low, high);
 }
 
+Real least_gap_seen(const GapOverTime& motion, double t_max, Looks looks)
+{
+    constexpr int closer = 8;
+    Real from = 0;
+    Real to = t_max;
+    Real least = motion.at(0).gap;
+    for (int round = 0; round < looks.rounds; ++round) {
+        const int count = round == 0 ? looks.all_over : closer;
+        const Real step = (to - from) / count;
+        Real best = from;
+        for (int i = 0; i <= count; ++i) {
+            const Real here = motion.at(from + i * step).gap;
+            if (here > least) continue;
+            least = here;
+            best = from + i * step;
+        }
+        from = std::max<Real>(best - step, 0);
+        to = std::min<Real>(best + step, t_max);
+    }
+    return least;
+}
+
 Query tuned(Query q, Real measured, double beyond)
 {
     const Real excess = measured - static_cast<Real>(q.options.target_gap) - static_cast<Real>(beyond);

@@ -22,6 +22,14 @@ Path above_ground(Random&, Path, const Shape& ground, const Quat& orientation);
 /// The least gap within [0, t_max], by so many steps of golden section: a local one where the motion turns.
 Real least_gap(const GapOverTime&, double t_max, int steps = 48);
 
+/// How often the gap is looked at over all of the time, and how often the place of the least is made finer.
+struct Looks {
+    int all_over = 0, rounds = 0;
+};
+/// The least gap within [0, t_max] of bodies that may turn: of so many looks, then of finer ones about the
+/// least of them.
+Real least_gap_seen(const GapOverTime&, double t_max, Looks);
+
 /// Moves the target gap, or a radius, so that `measured` ends `beyond` above the target gap.
 Query tuned(Query, Real measured, double beyond);
 

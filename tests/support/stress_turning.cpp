@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stress_turning.h"
 
+#include "path.h"
 #include "stress_draft.h"
 
 #include <algorithm>
@@ -185,30 +186,6 @@ StressCase draw_scale(Random& random, const Pair& pair)
     return {q, std::log10(s)};
 }
 
-/// The least gap of a coarse look over the step, made finer around the least.
-Real least_of_turning(const GapOverTime& motion)
-{
-    constexpr int looks = 40;
-    constexpr int rounds = 12;
-    Real from = 0;
-    Real to = 1;
-    Real least = motion.at(0).gap;
-    for (int round = 0; round < rounds; ++round) {
-        const int count = round == 0 ? looks : 8;
-        const Real step = (to - from) / count;
-        Real best = from;
-        for (int i = 0; i <= count; ++i) {
-            const Real here = motion.at(from + i * step).gap;
-            if (here > least) continue;
-            least = here;
-            best = from + i * step;
-        }
-        from = std::max<Real>(best - step, 0);
-        to = std::min<Real>(best + step, 1);
-    }
-    return least;
-}
-
 /// Of several drafts the first that does not touch of itself, its target gap (or A's radius) chosen so that
 /// the closest approach is as wanted.
 StressCase draw_grazing(Random& random, const Pair& pair)
@@ -221,7 +198,7 @@ StressCase draw_grazing(Random& random, const Pair& pair)
         q.options.target_gap = 0;
         q.options.tolerance = std::min(1e-9, 0.1 * relative);
         const GapOverTime motion(q);
-        const Real least = least_of_turning(motion);
+        const Real least = least_gap_seen(motion, 1, {40, 12});
         if (k < attempts && (least < 0.01L || least > 0.9L * motion.at(0).gap)) continue;
         return {tuned(q, least, beyond), std::log10(relative)};
     }
