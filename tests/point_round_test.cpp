@@ -40,6 +40,8 @@ TEST_CASE("point and cone: side, base, apex, rim, inside")
     CHECK(of(Cone{0, 2}, {1, 0, 0}).gap == 0); // a disc
     CHECK(of(Cone{0, 2}, {5, 0, 4}).gap == 5);
     CHECK(of(Cone{2, 0}, {1, 0, 1}).gap == 1); // a segment
+    CHECK(of(Cone{2, 0}, {0, 0, 5}).gap == 3);
+    CHECK(of(Cone{0, 0}, {0, 0, 5}).gap == 5); // a point
 }
 
 TEST_CASE("point against cylinder and cone: as for any cores")

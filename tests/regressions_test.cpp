@@ -228,3 +228,39 @@ TEST_CASE("regression: a cone without height and width has no inside")
                        Vec3(0, 0, 0)},
                 Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: where bodies come from far away, the points of contact lie on them")
+{
+    // Were off by 8.5e-6 and 2e-6: the axis from where a guess ended was taken for the normal.
+    check(
+        Query{Sphere{0x1.1860f7ff7084cp+0},
+              Motion{Pose{Vec3(0x1.368326d66e38ap+25, 0x1.1df55706e629bp+24, -0x1.e0a93e9822972p+26),
+                          Quat(0x1.a4c4d4ed0bda4p-3, -0x1.46ca1bb54adb4p-2, 0x1.944e294b8b8b8p-1,
+                               0x1.eda19cf56017p-2)},
+                     Vec3(-0x1.04fda7a3d5d34p+25, -0x1.e0b4a65caa109p+23, 0x1.9400f773200bcp+26),
+                     Vec3(0x1.c86794300dbd4p+1, -0x1.ab7d8975948d3p-1, -0x1.fb4ac6e0d9e91p-2), Vec3(0, 0, 0)},
+              Capsule{Vec3(-0x1.b671b2f88ebp-3, -0x1.050b4246a7fa5p+2, -0x1.cd002d99b380ep-1),
+                      Vec3(-0x1.fd567a415bf2ap+0, -0x1.33c0031a0eadcp+2, 0x1.336438650443cp+2),
+                      0x1.52bb74d5b7d57p-24},
+              Motion{Pose{Vec3(0, 0, 0), Quat(0x1.82c2c617956cdp-1, -0x1.686ca58587c74p-4,
+                                              0x1.0b8369e555fcfp-2, -0x1.305e0530811cfp-1)},
+                     Vec3(0x1.d820fe3e4e832p+25, 0x1.b2cb856a6628ap+24, -0x1.6d6b2ddcb0542p+27),
+                     Vec3(0, 0, 0), Vec3(0, 0, 0)},
+              Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+    check(
+        Query{Sphere{0x1.fe5cf1dcea65bp-1},
+              Motion{Pose{Vec3(-0x1.b58ef5dd64b35p+23, 0x1.3a121879bcf26p+25, 0x1.8611e463f5a29p+24),
+                          Quat(-0x1.a29ff626315b4p-3, 0x1.2b70d906ac7dcp-3, 0x1.9a6334f7aa4f5p-2,
+                               -0x1.c317200bc2d8dp-1)},
+                     Vec3(0x1.360a5b098e847p+24, -0x1.bd14e947d28f9p+25, -0x1.14643c7436d21p+25),
+                     Vec3(0x1.491bb5224d654p+0, -0x1.822448ab1b02ep-1, 0x1.b895c266cf10fp-1), Vec3(0, 0, 0)},
+              Triangle{Vec3(0x1.9694d2a58ae02p-1, -0x1.61d3750a836afp-1, 0x1.1e1523d9a1618p-3),
+                       Vec3(-0x1.2594ed4fcad04p-2, 0x1.c8a57451646fep-1, -0x1.1e92b67a1d4fcp-2),
+                       Vec3(0x1.23db97e9e7a01p+0, -0x1.1338fdc08fa2dp-1, -0x1.9d356caa77c9p-4)},
+              Motion{Pose{Vec3(-0x1.e2586708e931p-3, -0x1.c60fbddb8a298p-2, -0x1.ca0396cdf3a28p-1),
+                          Quat(-0x1.97f79c90a48a8p-1, 0x1.279c5431027d3p-2, 0x1.bbf294249e80fp-2,
+                               -0x1.399c684e9c892p-2)},
+                     Vec3(0, 0, 0), Vec3(0, 0, 0),
+                     Vec3(-0x1.c750cad8d6676p-2, 0x1.9c8a590f2984p-5, 0x1.0c171f6bdf284p-2)},
+              Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+}

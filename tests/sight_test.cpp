@@ -2,6 +2,7 @@
 #include "brute_force.h"
 #include "sight.h"
 #include "solid_cores.h"
+#include "two_bodies.h"
 
 #include <doctest/doctest.h>
 
@@ -86,4 +87,53 @@ TEST_CASE("watch: and curved bodies only as deep as their supporting planes say"
     CHECK(tally.deep > 1'500);
     CHECK(tally.shown > 0.5 * tally.deep);
     CHECK(tally.shallow > 1'500);
+}
+
+TEST_CASE("watch: a point and a cylinder or cone in closed form, as GJK sees them")
+{
+    SolidCores cores(113);
+    int apart = 0, tilted = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Core round =
+            placed(cores.local(i % 2), rotation(cores.random.rotation()), load(cores.random.in_cube(1)));
+        const Core p = placed(core(Sphere{}), {}, 2 * load(cores.random.in_cube(1)));
+        const Facing<Core> f = facing(p, round);
+        Watch watch(p, round, 0);
+        const Sight s = watch.look(f), by_gjk = Watch(p, round, 0).look_closely(f);
+        const double rounding = 64 * eps * std::max(extent(p), extent(round));
+        CAPTURE(i);
+        CHECK(std::fabs(norm(s.normal) - 1) <= 8 * eps);
+        CHECK(s.upper - gap_along(p, round, s.normal) <= rounding);
+        if (!(by_gjk.upper > 1e-6)) continue;
+        CHECK(std::fabs(s.upper - by_gjk.upper) <= 1e-9 * s.upper);
+        CHECK(norm(s.point_a - p.points[0]) == 0);
+        CHECK(std::fabs(norm(s.v) - s.upper) <= rounding);
+        tilted += !(norm(s.axis.normal - s.normal) <= 1e-9);
+        ++apart;
+    }
+    CHECK(apart > 15'000);
+    CHECK(tilted == 0);
+}
+
+TEST_CASE("watch: the axis between a point and a cylinder or cone turns with what it looks at")
+{
+    SolidCores cores(114);
+    const double later = 1e-5; // of the step
+    int apart = 0, lost = 0, at_rest = 0;
+    for (int i = 0; i < 4'000; ++i) {
+        const Motion of_a = random_motion(cores.random, 2), of_b = random_motion(cores.random, 2);
+        const TwoBodies<Core> bodies{mover(core(Sphere{}), of_a), mover(cores.local(i % 2), of_b)};
+        const Moment<Core> now(bodies, 0.5), then(bodies, 0.5 + later);
+        const double gap = bodies.at(0.5 + later).gap;
+        if (!(gap > 0.01)) continue;
+        Watch watch(now.a, now.b, 0);
+        const TurningAxis axis = watch.look(now.facing()).axis;
+        const V3 n = axis.normal + later * cross(axis.spin, axis.normal);
+        ++apart;
+        lost += gap - gap_along(then.a, then.b, (1 / norm(n)) * n) > 1e-7;
+        at_rest += gap - gap_along(then.a, then.b, axis.normal) > 1e-7;
+    }
+    CHECK(apart > 2'000);
+    CHECK(lost < 0.02 * apart); // where the nearest part is about to be another
+    CHECK(at_rest > 0.1 * apart);
 }

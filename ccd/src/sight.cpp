@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sight.h"
 
-#include "nearest.h"
+#include "closed_sight.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -10,89 +10,6 @@ namespace brink {
 namespace {
 
 using enum Core::Kind;
-
-V3 direction(const Core& segment)
-{
-    return segment.kind == point ? V3{} : segment.points[1] - segment.points[0];
-}
-
-Feature edge_feature(V3 d, double at)
-{
-    const double length = norm(d);
-    if (!(at > 0 && at < 1 && length > 0)) return {};
-    return {Feature::Kind::edge, (1 / length) * d};
-}
-
-Sight seen(const Facing<Core>& f, const Feature& a, const Feature& b, V3 point_a, V3 v)
-{
-    Sight s;
-    s.upper = norm(v);
-    s.point_a = point_a;
-    s.v = v;
-    if (s.upper > 0) s.normal = (1 / s.upper) * v;
-    s.axis = axis_between(a, f.a.rate, b, f.b.rate, v, v);
-    return s;
-}
-
-Sight look_at_segments(const Facing<Core>& f)
-{
-    const Core &a = f.a.part, &b = f.b.part;
-    const V3 d = direction(a), e = direction(b), r = b.points[0] - a.points[0];
-    const auto [s, t] = nearest_parameters(r, d, e);
-    return seen(f, edge_feature(d, s), edge_feature(e, t), a.points[0] + s * d, r + t * e - s * d);
-}
-
-/// The part of a box that lies nearest, by which of its sides v leads away from.
-Feature box_feature(const Core& box, V3 local)
-{
-    const bool x = local.x != 0, y = local.y != 0, z = local.z != 0;
-    switch (static_cast<int>(x) + static_cast<int>(y) + static_cast<int>(z)) {
-    case 1:
-        return {Feature::Kind::face, x ? box.axes.x : y ? box.axes.y : box.axes.z};
-    case 2:
-        return {Feature::Kind::edge, !x ? box.axes.x : !y ? box.axes.y : box.axes.z};
-    default:
-        return {};
-    }
-}
-
-struct FromBox {
-    V3 v; // from the point to the box
-    Feature feature;
-};
-FromBox from_box(V3 p, const Core& box)
-{
-    const V3 local = to_box(into(box.axes, p - box.centre), box.half_extents);
-    return {box.axes * local, box_feature(box, local)};
-}
-
-/// A point or segment, and the fraction of it that comes nearest to a box.
-struct OnThin {
-    V3 point;
-    Feature feature;
-};
-OnThin nearest_of(const Core& thin, const Core& box)
-{
-    const V3 p = thin.points[0];
-    if (thin.kind == point) return {p, {}};
-    const V3 d = direction(thin);
-    const double t = nearest_to_box(into(box.axes, p - box.centre), into(box.axes, d), box.half_extents);
-    return {p + t * d, edge_feature(d, t)};
-}
-
-Sight look_at_thin_box(const Facing<Core>& f)
-{
-    const auto [p, of_a] = nearest_of(f.a.part, f.b.part);
-    const auto [v, of_b] = from_box(p, f.b.part);
-    return seen(f, of_a, of_b, p, v);
-}
-
-Sight look_at_box_thin(const Facing<Core>& f)
-{
-    const auto [p, of_b] = nearest_of(f.b.part, f.a.part);
-    const auto [v, of_a] = from_box(p, f.a.part);
-    return seen(f, of_a, of_b, p + v, -v);
-}
 
 /// The corner of the difference that lies farthest against a normal: where GJK may begin.
 Simplex towards(const Core& a, const Core& b, V3 normal)
@@ -110,9 +27,8 @@ Watch::Method Watch::method(const Core& a, const Core& b)
     const auto thin = [](const Core& c) { return c.kind == point || c.kind == segment; };
     if (thin(a) && thin(b)) return Method::segments;
     // Of a segment that comes as near as rounding the way to the box has no direction left.
-    const auto reaches = [](const Core& c) { return c.kind == point || c.radius > 0; };
-    if (thin(a) && b.kind == box && reaches(a)) return Method::thin_box;
-    if (a.kind == box && thin(b) && reaches(b)) return Method::box_thin;
+    if (b.kind == box && (a.kind == point || (a.kind == segment && a.radius > 0))) return Method::thin_box;
+    if (a.kind == point && (b.kind == cylinder || b.kind == cone)) return Method::point_round;
     if (a.kind == box && b.kind == box) return Method::boxes;
     return Method::any;
 }
@@ -130,8 +46,8 @@ Sight Watch::look(const Facing<Core>& f)
         return look_at_segments(f);
     case Method::thin_box:
         return look_at_thin_box(f);
-    case Method::box_thin:
-        return look_at_box_thin(f);
+    case Method::point_round:
+        return look_at_point_round(f);
     case Method::boxes:
         return look_at_boxes(f);
     case Method::any:

@@ -60,7 +60,7 @@ public:
     bool overlap(const Facing<Core>&, double depth) const;
 
 private:
-    enum class Method : unsigned char { segments, thin_box, box_thin, boxes, any };
+    enum class Method : unsigned char { segments, thin_box, point_round, boxes, any };
     static Method method(const Core& a, const Core& b);
     Sight look_at_boxes(const Facing<Core>&);
     Sight look_by_gjk(const Facing<Core>&, double relative);

@@ -7,9 +7,10 @@ namespace brink::tolerance {
 /// Relative rounding error of one operation, 2^-53.
 inline constexpr double unit_roundoff = 0x1p-53;
 
-/// Where two cores come nearer than this times (relative position + relative motion), the vector between them
-/// has lost half of its digits to rounding. The feature that met gives the normal.
-inline constexpr double core_noise = 0x1p-27;
+/// Where two cores come nearer than this times (relative position + relative motion), what promise 3 allows a
+/// point to be off, the vector between them may be all rounding, and the axis of the proof gives the normal.
+/// Farther apart that axis, found from where a guess ended, is the worse of the two.
+inline constexpr double core_noise = 32 * unit_roundoff;
 
 /// The same part for two points, which have no feature: below it the vector between them is all rounding, and
 /// the motion gives the normal.
