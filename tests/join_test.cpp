@@ -177,15 +177,67 @@ TEST_CASE("join: small balls from far away are not told to meet too late")
     CHECK(meeting > 5'000);
 }
 
+TEST_CASE("join: a long path meets what it grazes at a side of its box")
+{
+    std::size_t meeting = 0;
+    Faults all;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        Random random(15, i);
+        SweepField still, fast;
+        const auto grown = static_cast<float>(random.chance(0.5) ? 0 : random.log_between(1e-4, 0.1));
+        while (still.sweeps.size() < 180) {
+            const Vec3 at = random.in_cube(6);
+            still.sweeps.push_back(
+                support::sweep_of_ball({at.x(), at.y(), at.z()}, {0, 0, 0}, random.log_between(0.01, 0.3)));
+        }
+        while (fast.sweeps.size() < 15) {
+            const Sweep& target = still.sweeps[fast.sweeps.size() * 7];
+            const double radius = random.log_between(0.001, 0.1), angle = random.between(0, 6.3),
+                         reach = (radius + static_cast<double>(target.radius + grown)) *
+                                 (1 - random.log_between(1e-5, 1e-2));
+            const int side = random.index(3);
+            Vec3 along(0, 0, 0), off(0, 0, 0);
+            along[(side + 1) % 3] = std::cos(angle);
+            along[(side + 2) % 3] = std::sin(angle);
+            off[side] = random.chance(0.5) ? reach : -reach;
+            const Vec3 middle = Vec3(target.from[0], target.from[1], target.from[2]) + off;
+            const Vec3 from = middle - random.between(1, 8) * along, by = random.between(9, 16) * along;
+            fast.sweeps.push_back(
+                support::sweep_of_ball({from.x(), from.y(), from.z()}, {by.x(), by.y(), by.z()}, radius));
+        }
+        fast.plant(0, 1);
+        still.plant(0, 1);
+        still.tree.still = true;
+        const Plan plan = plan_of(31, grown, 1);
+        const Faults f =
+            faults_of(support::join_all(widest_join(), fast, still, plan, plenty), fast, still, plan);
+        all.lost += f.lost;
+        all.late += f.late;
+        all.kept += f.kept;
+        meeting += f.meeting;
+    }
+    CHECK(all.lost == 0);
+    CHECK(all.late == 0);
+    CHECK(meeting > 4'500);
+    CHECK(all.kept < 1.5 * meeting);
+}
+
 TEST_CASE("join: what recedes is not nearing")
 {
-    const SweepField field = support::draw_field(299, 1, 21);
+    constexpr std::uint32_t n = 4'000;
+    const SweepField field = support::draw_field(n, 1, 21);
+    const Plan plan = plan_of(7, 0, 1);
     const std::set<SlotPair> found =
-        pairs_in(support::join_all(widest_join(), field, field, plan_of(7, 0, 1), plenty), true);
+        pairs_in(support::join_all(widest_join(), field, field, plan, plenty), true);
+    // The path of what travels far may be apart from a box that it nears.
+    std::vector<bool> travels_far;
+    for (const Sweep& sweep : field.sweeps)
+        travels_far.push_back(packet_of(sweep, plan).far != 0);
     int receding = 0, nearing = 0;
-    for (std::uint32_t i = 0; i < 299; ++i) {
-        for (std::uint32_t k = i + 1; k < 299; ++k) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t k = i + 1; k < n; ++k) {
             const Sweep &a = field.sweeps[i], &b = field.sweeps[k];
+            if (travels_far[i] || travels_far[k]) continue;
             const bool dropped = field.living[i] != 0 && field.living[k] != 0 && overlap(a.box, b.box) &&
                                  !found.contains({i, k});
             Real rate = 0;

@@ -20,6 +20,7 @@ struct BlockTree {
     std::vector<Balls> balls;                          // of the leaves
     std::vector<std::uint32_t> slots;                  // sixteen a leaf; no_slot where there is no body
     std::size_t count = 0;                             // bodies
+    bool still = false;                                // they all rest
 
     std::size_t leaves() const { return levels[0].size(); }
     Mask held(std::size_t leaf) const;

@@ -141,6 +141,7 @@ void BroadPhase::build(BlockTree& to, Home home, std::vector<std::uint32_t>& joi
 
     to.resize(keys.size());
     to.count = keys.size();
+    to.still = home != Home::movers;
     for_each_part(to.leaves(), [&](std::size_t leaf) {
         const std::size_t end = std::min(width * (leaf + 1), keys.size());
         for (std::size_t place = width * leaf; place < end; ++place) {

@@ -1,99 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The join for one instruction set: compiled once for each, in that one's namespace, between what says how
-// its lanes are loaded (V, width, load, all_of, bits_of, Abs, Min, Max, Sqrt, IfThenElse, IfThenZeroElse) and
-// a name for it. No include guard. Only + - * / and sqrt, in this order: every width finds the same.
-
-JOIN_ATTR inline Mask overlap(const Boxes& boxes, const Box3f& box)
-{
-    Mask mask = 0;
-    for (int i = 0; i < lanes; i += width) {
-        const auto x =
-            And(load(boxes.min[0] + i) <= all_of(box.max[0]), load(boxes.max[0] + i) >= all_of(box.min[0]));
-        const auto y =
-            And(load(boxes.min[1] + i) <= all_of(box.max[1]), load(boxes.max[1] + i) >= all_of(box.min[1]));
-        const auto z =
-            And(load(boxes.min[2] + i) <= all_of(box.max[2]), load(boxes.max[2] + i) >= all_of(box.min[2]));
-        mask |= bits_of(And(And(x, y), z)) << i;
-    }
-    return mask;
-}
-
-/// The lanes whose path is apart from a box along a cross product of the path and an axis.
-JOIN_ATTR inline Mask paths_apart(const Balls& balls, float grown, const Box3f& box)
-{
-    const V half = all_of(0.5F), slack = all_of(tolerance::segment_slack);
-    V middle[3], extent[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const V low = all_of(box.min[axis]), high = all_of(box.max[axis]);
-        middle[axis] = half * low + half * high;
-        extent[axis] = half * high - half * low + slack * (Abs(low) + Abs(high));
-    }
-    Mask mask = 0;
-    for (int i = 0; i < lanes; i += width) {
-        V h[3], q[3], e[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            const V from = load(balls.from[axis] + i);
-            h[axis] = half * load(balls.by[axis] + i);
-            q[axis] = middle[axis] - (from + h[axis]);
-            e[axis] =
-                extent[axis] + (load(balls.radius + i) + all_of(grown)) + slack * (Abs(from) + Abs(h[axis]));
-        }
-        const auto apart = [&](int x, int y) JOIN_ATTR {
-            const V p = h[x] * q[y], m = h[y] * q[x];
-            const V most = Abs(h[x]) * e[y] + Abs(h[y]) * e[x] + slack * (Abs(p) + Abs(m));
-            return Abs(p - m) > most + (slack * most + all_of(tolerance::smallest_square));
-        };
-        mask |= bits_of(Or(Or(apart(0, 1), apart(1, 2)), apart(2, 0))) << i;
-    }
-    return mask;
-}
-
-struct Meetings {
-    Mask receding = 0, passing = 0, late = 0;
-    alignas(64) float t[lanes] = {};
-};
-
-/// When one ball meets sixteen: the least distance over the time asked for, and the root of the quadratic.
-JOIN_ATTR inline void meet(const Balls& one, int lane, const Balls& balls, const JoinRules& rules,
-                           Meetings& m)
-{
-    const V zero = all_of(0), follow = all_of(rules.follow), until = all_of(rules.until);
-    const V slack = all_of(tolerance::ball_slack), least = all_of(tolerance::smallest_square);
-    for (int i = 0; i < lanes; i += width) {
-        V d[3], v[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            d[axis] = load(balls.from[axis] + i) - all_of(one.from[axis][lane]);
-            v[axis] = follow * load(balls.by[axis] + i) - all_of(one.by[axis][lane]);
-        }
-        const V sum = Abs(d[0]) + Abs(d[1]) + Abs(d[2]) + (Abs(v[0]) + Abs(v[1]) + Abs(v[2]));
-        const V radius =
-            load(balls.radius + i) + all_of(one.radius[lane]) + all_of(rules.grown) + slack * sum;
-        const V square = radius * radius;
-        const V enough =
-            IfThenElse(sum <= all_of(tolerance::largest_squared), square + slack * square + least,
-                       all_of(std::numeric_limits<float>::infinity()));
-        const V dd = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-        const V b = d[0] * v[0] + d[1] * v[1] + d[2] * v[2];
-        const V a = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-        const auto nearing = b < zero;
-        const V inverse = all_of(1) / a, nearest = (zero - b) * inverse;
-        const V t = IfThenElse(nearing, Min(nearest, until), zero);
-        const V x = d[0] + t * v[0], y = d[1] + t * v[1], z = d[2] + t * v[2];
-        const auto apart = x * x + y * y + z * z > enough;
-
-        // In times, not in squares of squares, which would leave the range of floats below 1e-9 and above
-        // 1e9.
-        const V c = (dd - square) * inverse;
-        const V root = Sqrt(Max(nearest * nearest - c, zero) + slack * (dd * inverse));
-        const V entry = c / (root + nearest);
-        const V early = entry - all_of(tolerance::time_slack) * entry;
-        const V start = IfThenElse(And(dd > enough, early > zero), early, zero); // NaN is not above zero
-        store(m.t + i, start);
-        m.receding |= bits_of(AndNot(nearing, apart)) << i;
-        m.passing |= bits_of(And(nearing, apart)) << i;
-        m.late |= bits_of(start > until) << i;
-    }
-}
+// The join for one instruction set, after join_tests-inl.h in that one's namespace and what says how its
+// lanes are stored (store_all, store_some, add_where) and a name for it. No include guard.
 
 /// Without a branch for how many there are.
 JOIN_ATTR inline void emit(std::uint32_t slot, const std::uint32_t* slots, Mask with, const float* times,
@@ -108,48 +15,119 @@ JOIN_ATTR inline void emit(std::uint32_t slot, const std::uint32_t* slots, Mask 
     }
 }
 
-/// Boxes alone, and of bodies that all have some.
-JOIN_ATTR inline void leaf_pairs_by_boxes(const Packet& p, Mask from, const BlockTree& tree,
-                                          std::uint32_t leaf, std::uint32_t own, const JoinRules& rules,
-                                          Candidates& to, JoinCounts& counts)
+/// Which lanes of a packet are to look into which leaves, a leaf after the other. They are listed first,
+/// because how many lanes a leaf has is guessed wrong at almost every one.
+struct Visits {
+    static constexpr std::uint32_t enough = 64;
+    std::uint32_t count = 0;
+    std::uint32_t leaf[enough + lanes * (lanes + 1)], lane[enough + lanes * (lanes + 1)];
+
+    bool begin_leaf(std::uint32_t i) const { return i == 0 || leaf[i] != leaf[i - 1]; }
+    JOIN_ATTR void add(std::uint32_t to, Mask from)
+    {
+        alignas(64) static constexpr std::uint32_t every[lanes] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                                   8, 9, 10, 11, 12, 13, 14, 15};
+        for (int i = 0; i < lanes; i += width) {
+            const Mask some = from >> i & ((1U << width) - 1);
+            store_all(leaf + count, to);
+            store_some(lane + count, every + i, some);
+            count += static_cast<std::uint32_t>(__builtin_popcount(some));
+        }
+    }
+};
+
+/// Asks memory for what a leaf will be looked into by: most of a search's time is waiting for that.
+inline void fetch(const BlockTree& tree, std::uint32_t leaf)
+{
+    const Boxes& boxes = tree.levels[0][leaf];
+    for (int axis = 0; axis < 3; ++axis) {
+        __builtin_prefetch(boxes.min[axis]);
+        __builtin_prefetch(boxes.max[axis]);
+    }
+}
+inline void fetch_slots(const BlockTree& tree, std::uint32_t leaf)
+{
+    __builtin_prefetch(tree.slots.data() + std::size_t{lanes} * leaf);
+}
+inline void fetch_balls(const BlockTree& tree, std::uint32_t leaf)
+{
+    const Balls& balls = tree.balls[leaf];
+    for (int axis = 0; axis < 3; ++axis) {
+        __builtin_prefetch(balls.from[axis]);
+        if (!tree.still) __builtin_prefetch(balls.by[axis]);
+    }
+    __builtin_prefetch(balls.radius);
+}
+
+/// Which bodies of a leaf a lane of the packet may meet, by the boxes.
+JOIN_ATTR inline Mask within_reach(const Packet& p, std::uint32_t lane, const BlockTree& tree,
+                                   std::uint32_t leaf, std::uint32_t own, const JoinRules& rules)
+{
+    const Mask later = own == leaf ? all_lanes << (lane + 1) : all_lanes;
+    if (!rules.boxes) return tree.held(leaf) & later;
+    return overlap(tree.levels[0][leaf], box_at(p.boxes, static_cast<int>(lane))) & later;
+}
+
+/// Fills in the candidates of the visits; where there is no room left before a leaf, that leaf.
+JOIN_ATTR inline std::uint32_t visit_by_boxes(const Packet& p, const Visits& visits, const BlockTree& tree,
+                                              std::uint32_t own, const JoinRules& rules, Candidates& to,
+                                              JoinCounts& counts)
 {
     alignas(64) static constexpr float from_the_start[lanes] = {};
     const float* times = rules.times ? from_the_start : nullptr;
-    const Boxes& boxes = tree.levels[0][leaf];
-    const std::uint32_t* slots = tree.slots.data() + std::size_t{lanes} * leaf;
     const std::size_t before = to.count;
-    for (; from != 0; from &= from - 1) {
-        const int lane = __builtin_ctz(from);
-        const Mask later = own == leaf ? all_lanes << (lane + 1) : all_lanes;
-        emit(p.slots[lane], slots, overlap(boxes, box_at(p.boxes, lane)) & later, times, to);
+    std::uint32_t stop = no_leaf;
+    for (std::uint32_t i = 0; i < visits.count; ++i) {
+        const std::uint32_t leaf = visits.leaf[i], lane = visits.lane[i];
+        if (!to.has_room() && visits.begin_leaf(i)) {
+            stop = leaf;
+            break;
+        }
+        emit(p.slots[lane], tree.slots.data() + std::size_t{lanes} * leaf,
+             within_reach(p, lane, tree, leaf, own, rules), times, to);
     }
     counts.met += to.count - before;
+    return stop;
 }
 
-JOIN_ATTR inline void leaf_pairs(const Packet& p, Mask from, const BlockTree& tree, std::uint32_t leaf,
-                                 std::uint32_t own, const JoinRules& rules, Candidates& to,
-                                 JoinCounts& counts)
+/// The same where the balls have a say.
+JOIN_ATTR inline std::uint32_t visit(const Packet& p, const Visits& visits, const BlockTree& tree,
+                                     std::uint32_t own, const JoinRules& rules, Candidates& to,
+                                     JoinCounts& counts)
 {
-    if (rules.boxes && !rules.balls) return leaf_pairs_by_boxes(p, from, tree, leaf, own, rules, to, counts);
-    const Boxes& boxes = tree.levels[0][leaf];
-    const std::uint32_t* slots = tree.slots.data() + std::size_t{lanes} * leaf;
+    if (rules.boxes && !rules.balls) return visit_by_boxes(p, visits, tree, own, rules, to, counts);
+    Visits met;
+    Mask with_of[Visits::enough + lanes * lanes + 1];
+    for (std::uint32_t i = 0; i < visits.count; ++i) {
+        const std::uint32_t leaf = visits.leaf[i], lane = visits.lane[i];
+        Mask with = within_reach(p, lane, tree, leaf, own, rules);
+        if (rules.boxes && (p.far >> lane & 1U) != 0)
+            with &= ~path_apart(p.balls, lane, rules.grown, tree.levels[0][leaf]);
+        if (with != 0 && rules.balls) fetch_balls(tree, leaf);
+        if (with != 0) fetch_slots(tree, leaf);
+        met.leaf[met.count] = leaf;
+        met.lane[met.count] = lane;
+        with_of[met.count] = with;
+        met.count += with != 0 ? 1U : 0U;
+    }
     const auto ones = [](Mask m) { return static_cast<std::uint64_t>(__builtin_popcount(m)); };
-    for (; from != 0; from &= from - 1) {
-        const int lane = __builtin_ctz(from);
-        Mask with = rules.boxes ? overlap(boxes, box_at(p.boxes, lane)) : tree.held(leaf);
-        if (own == leaf) with &= all_lanes << (lane + 1);
-        if (with == 0) continue;
+    for (std::uint32_t i = 0; i < met.count; ++i) {
+        const std::uint32_t leaf = met.leaf[i], lane = met.lane[i];
+        if (!to.has_room() && met.begin_leaf(i)) return leaf;
+        const Mask with = with_of[i];
         counts.met += ones(with);
         Meetings m;
-        if (rules.balls) meet(p.balls, lane, tree.balls[leaf], rules, m);
+        if (rules.balls) meet(p.balls, lane, tree.balls[leaf], tree.still, rules, m);
         const Mask receding = rules.receding ? with & m.receding : 0;
         const Mask passing = rules.spheres ? with & ~receding & (m.passing | m.receding) : 0;
         const Mask late = rules.late ? with & ~receding & ~passing & m.late : 0;
         counts.receding += ones(receding);
         counts.spheres += ones(passing);
         counts.late += ones(late);
-        emit(p.slots[lane], slots, with & ~(receding | passing | late), m.t, to);
+        emit(p.slots[lane], tree.slots.data() + std::size_t{lanes} * leaf,
+             with & ~(receding | passing | late), m.t, to);
     }
+    return no_leaf;
 }
 
 /// The packet's lanes that may meet something within a box.
@@ -160,57 +138,141 @@ JOIN_ATTR inline Mask lanes_near(const Packet& p, const Box3f& box, const JoinRu
     return mask;
 }
 
+/// The boxes that one of its lanes may meet something in.
+JOIN_ATTR inline Mask boxes_near(const Packet& p, std::uint32_t lane, const Boxes& boxes,
+                                 const JoinRules& rules)
+{
+    const Mask mask = overlap(boxes, box_at(p.boxes, static_cast<int>(lane)));
+    if ((p.far >> lane & 1U) == 0) return mask;
+    return mask & ~path_apart(p.balls, lane, rules.grown, boxes);
+}
+
+/// A packet on its way down a tree.
+class Descent {
+public:
+    Descent(const Packet& packet, const BlockTree& tree, std::uint32_t first, const JoinRules& rules)
+        : p_(packet), tree_(tree), rules_(rules), first_(first), level_(tree.height)
+    {
+    }
+    /// Goes one level down, into a block that these lanes are near to.
+    JOIN_ATTR void enter(std::uint32_t block, Mask near)
+    {
+        Frame& f = frames_[--level_];
+        f.block = block;
+        f.todo = children();
+        const Boxes& boxes = tree_.levels[static_cast<std::size_t>(level_)][block];
+        if (rules_.boxes) f.todo &= overlap(boxes, p_.bound);
+        const bool all =
+            !rules_.boxes || (p_.dense && level_ > 1); // some lane is near whatever the bound is near
+        if (all)
+            std::fill_n(f.near, lanes, near);
+        else if (__builtin_popcount(near) < __builtin_popcount(f.todo))
+            by_lanes(f, boxes, near);
+        else
+            by_boxes(f, boxes, near);
+    }
+    bool done() const { return level_ == tree_.height; }
+    int level() const { return level_; }
+    struct Child {
+        std::uint32_t block;
+        Mask near;
+    };
+    bool more()
+    {
+        if (frames_[level_].todo != 0) return true;
+        ++level_;
+        return false;
+    }
+    Child next()
+    {
+        Frame& f = frames_[level_];
+        const int k = __builtin_ctz(f.todo);
+        f.todo &= f.todo - 1;
+        return {f.block * lanes + static_cast<std::uint32_t>(k), f.near[k]};
+    }
+    bool matters(std::uint32_t child) const
+    {
+        if (!(p_.least > rules_.below)) return true;
+        return !(tree_.least[static_cast<std::size_t>(level_ - 1)][child] > rules_.below);
+    }
+
+private:
+    struct Frame {
+        std::uint32_t block;
+        Mask todo;
+        alignas(64) Mask near[lanes];
+    };
+    Mask children() const
+    {
+        const std::uint64_t begin = std::uint64_t{frames_[level_].block} * lanes;
+        const std::uint64_t from = first_ >> (4 * (level_ - 1));
+        const std::uint64_t end = tree_.levels[static_cast<std::size_t>(level_ - 1)].size();
+        const Mask mask = end - begin < lanes ? (1U << (end - begin)) - 1 : all_lanes;
+        if (from <= begin) return mask;
+        return from - begin < lanes ? mask & (all_lanes << (from - begin)) : 0;
+    }
+    JOIN_ATTR void by_lanes(Frame& f, const Boxes& boxes, Mask near)
+    {
+        std::fill_n(f.near, lanes, 0);
+        Mask some = 0;
+        for (; near != 0; near &= near - 1) {
+            const auto lane = static_cast<std::uint32_t>(__builtin_ctz(near));
+            const Mask in = boxes_near(p_, lane, boxes, rules_);
+            for (int i = 0; i < lanes; i += width)
+                add_where(f.near + i, 1U << lane, in >> i & ((1U << width) - 1));
+            some |= in;
+        }
+        f.todo &= some;
+    }
+    JOIN_ATTR void by_boxes(Frame& f, const Boxes& boxes, Mask near)
+    {
+        Mask some = 0;
+        for (Mask todo = f.todo; todo != 0; todo &= todo - 1) {
+            const int k = __builtin_ctz(todo);
+            f.near[k] = lanes_near(p_, box_at(boxes, k), rules_) & near;
+            some |= (f.near[k] != 0 ? 1U : 0U) << k;
+        }
+        f.todo &= some;
+    }
+
+    const Packet& p_;
+    const BlockTree& tree_;
+    const JoinRules& rules_;
+    std::uint32_t first_;
+    int level_;
+    Frame frames_[BlockTree::max_levels];
+};
+
 JOIN_ATTR inline std::uint32_t join(const Packet& p, const BlockTree& tree, std::uint32_t own,
                                     std::uint32_t first, const JoinRules& rules, Candidates& to,
                                     JoinCounts& counts)
 {
-    struct Frame {
-        std::uint32_t block;
-        Mask todo;
-    } frames[BlockTree::max_levels];
-    const auto children = [&](int level, std::uint32_t block) JOIN_ATTR {
-        const std::uint64_t begin = std::uint64_t{block} * lanes;
-        const std::uint64_t from = first >> (4 * (level - 1));
-        const auto l = static_cast<std::size_t>(level);
-        const std::uint64_t end = tree.levels[l - 1].size();
-        Mask mask = end - begin < lanes ? (1U << (end - begin)) - 1 : all_lanes;
-        if (rules.boxes) mask &= overlap(tree.levels[l][block], p.bound);
-        if (from <= begin) return mask;
-        return from - begin < lanes ? mask & (all_lanes << (from - begin)) : 0;
-    };
     if (tree.height == 0 || first >= tree.leaves()) return no_leaf;
+    Visits visits;
     if (tree.height == 1) {
-        if (!to.has_room()) return 0;
-        leaf_pairs(p, p.held, tree, 0, own, rules, to, counts);
-        return no_leaf;
+        visits.add(0, p.held);
+        return visit(p, visits, tree, own, rules, to, counts);
     }
-    int level = tree.height - 1;
-    frames[level] = {0, children(level, 0)};
-    while (level < tree.height) {
-        Frame& f = frames[level];
-        if (f.todo == 0) {
-            ++level;
+    Descent descent(p, tree, first, rules);
+    descent.enter(0, p.held);
+    while (!descent.done()) {
+        if (descent.level() > 1) {
+            if (!descent.more()) continue;
+            const auto [block, near] = descent.next();
+            if (descent.matters(block)) descent.enter(block, near);
             continue;
         }
-        const int k = __builtin_ctz(f.todo);
-        f.todo &= f.todo - 1;
-        const auto l = static_cast<std::size_t>(level);
-        const auto child = f.block * lanes + static_cast<std::uint32_t>(k);
-        if (p.least > rules.below && tree.least[l - 1][child] > rules.below) continue;
-        if (level > 1 && p.dense) { // some lane is near whatever the packet's bound is near
-            --level;
-            frames[level] = {child, children(level, child)};
-            continue;
+        while (descent.more()) {
+            const auto [leaf, near] = descent.next();
+            if (!descent.matters(leaf)) continue;
+            visits.add(leaf, near);
+            fetch(tree, leaf);
+            if (!rules.balls) fetch_slots(tree, leaf);
         }
-        const Mask from = rules.boxes ? lanes_near(p, box_at(tree.levels[l][f.block], k), rules) : p.held;
-        if (from == 0) continue;
-        if (level > 1) {
-            --level;
-            frames[level] = {child, children(level, child)};
-        } else {
-            if (!to.has_room()) return child;
-            leaf_pairs(p, from, tree, child, own, rules, to, counts);
-        }
+        if (visits.count < Visits::enough) continue;
+        const std::uint32_t stop = visit(p, visits, tree, own, rules, to, counts);
+        if (stop != no_leaf) return stop;
+        visits.count = 0;
     }
-    return no_leaf;
+    return visit(p, visits, tree, own, rules, to, counts);
 }

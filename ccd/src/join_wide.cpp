@@ -51,6 +51,14 @@ HWY_ATTR inline void store_some(float* to, const float* from, Mask which)
     const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(which), static_cast<std::uint8_t>(which >> 8U)};
     hn::StoreU(hn::Compress(hn::LoadU(tag, from), hn::LoadMaskBits(tag, bytes)), tag, to);
 }
+/// Where the set says so: to |= bits.
+HWY_ATTR inline void add_where(std::uint32_t* to, std::uint32_t bits, Mask where)
+{
+    constexpr hn::RebindToUnsigned<D> words;
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(where), static_cast<std::uint8_t>(where >> 8U)};
+    const auto added = hn::IfThenElseZero(hn::LoadMaskBits(words, bytes), hn::Set(words, bits));
+    hn::Store(hn::Or(hn::Load(words, to), added), words, to);
+}
 HWY_ATTR inline V all_of(float x) { return hn::Set(tag, x); }
 HWY_ATTR inline Mask bits_of(hn::Mask<D> m)
 {
@@ -58,6 +66,8 @@ HWY_ATTR inline Mask bits_of(hn::Mask<D> m)
     hn::StoreMaskBits(tag, m, bytes);
     return static_cast<Mask>(bytes[0]) | static_cast<Mask>(bytes[1]) << 8U;
 }
+
+#include "join_tests-inl.h"
 
 #include "join-inl.h"
 

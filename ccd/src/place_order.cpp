@@ -126,6 +126,7 @@ void halve(std::span<PlaceSorting::Key> keys, const BodyStore& store, V3 low)
 {
     std::array<Spot, group> spots;
     for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (i + BodyStore::ahead < keys.size()) store.fetch(keys[i + BodyStore::ahead].slot);
         const V3 at = midway(store.bodies[keys[i].slot]) - low;
         const auto place = [](double x) {
             return x * 0 == 0 ? static_cast<float>(std::clamp(x, -1e30, 1e30)) : 0;
@@ -152,6 +153,7 @@ void sort_by_place(PlaceSorting& sorting, const BodyStore& store)
     for_each_part(
         keys.size(),
         [&](std::size_t i) {
+            if (i + BodyStore::ahead < keys.size()) store.fetch(keys[i + BodyStore::ahead].slot);
             const V3 at = midway(store.bodies[keys[i].slot]);
             keys[i].place = spread(cell(at.x, low.x, scale)) | spread(cell(at.y, low.y, scale)) << 1U |
                             spread(cell(at.z, low.z, scale)) << 2U;
