@@ -50,8 +50,7 @@ SweepField draw_targets(double size, double erased, std::uint64_t seed)
         if (place % lanes == 0) centre = random.in_cube(60 * size);
         const Vec3 at = centre + random.in_cube(3 * size), by = random.in_cube(size);
         const double radius = random.chance(0.2) ? 0 : size * random.between(0, 1);
-        field.sweeps[(7 * place + 3) % n] =
-            support::sweep_of_ball({at.x(), at.y(), at.z()}, {by.x(), by.y(), by.z()}, radius);
+        field.sweeps[(7 * place + 3) % n] = support::sweep_of_ball(at, by, radius);
     }
     field.sweeps[17] = support::everywhere();
     field.plant(erased, seed);
@@ -80,8 +79,7 @@ SweepField draw_bullets(double size, const SweepField& targets, std::uint64_t se
         if (flat < 3) by[flat] = 0;
         if (flat == 4) by[0] = by[1] = 0;
         const double radius = random.chance(0.3) ? 0 : size * random.between(0, 0.2);
-        field.sweeps.push_back(
-            support::sweep_of_ball({from.x(), from.y(), from.z()}, {by.x(), by.y(), by.z()}, radius));
+        field.sweeps.push_back(support::sweep_of_ball(from, by, radius));
     }
     field.plant(0.05, seed);
     return field;

@@ -38,6 +38,12 @@ bool same(const Joined& x, const Joined& y, bool with_times)
 struct Faults {
     int lost = 0, late = 0;
     std::size_t meeting = 0, kept = 0;
+
+    Faults& operator+=(const Faults& f)
+    {
+        lost += f.lost, late += f.late, meeting += f.meeting, kept += f.kept;
+        return *this;
+    }
 };
 
 Faults faults_of(const Joined& joined, const SweepField& of, const SweepField& with, const Plan& plan)
@@ -148,38 +154,31 @@ TEST_CASE("join: what balls drop is proven apart, and no time is late, at every 
 
 TEST_CASE("join: small balls from far away are not told to meet too late")
 {
-    std::size_t meeting = 0;
     Faults all;
     for (std::uint64_t i = 0; i < 600; ++i) {
         Random random(14, i);
         SweepField one, many;
         const double r = random.log_between(1e-4, 1), other = r * random.between(0, 1);
         const Vec3 at = random.in_cube(r), by = random.in_cube(r);
-        one.sweeps.push_back(support::sweep_of_ball({at.x(), at.y(), at.z()}, {by.x(), by.y(), by.z()}, r));
+        one.sweeps.push_back(support::sweep_of_ball(at, by, r));
         for (int k = 0; k < 15; ++k) {
             const double far = r * random.log_between(4, 1e6), over = random.between(1, 3);
             const Vec3 from = at + far * random.unit(), aside = random.in_cube(r);
             const Vec3 to = over * (at + aside - from) + by;
-            many.sweeps.push_back(
-                support::sweep_of_ball({from.x(), from.y(), from.z()}, {to.x(), to.y(), to.z()}, other));
+            many.sweeps.push_back(support::sweep_of_ball(from, to, other));
         }
         one.plant(0, 1);
         many.plant(0, 1);
         const Plan plan = plan_of(31, 0, 1);
-        const Faults f =
-            faults_of(support::join_all(widest_join(), one, many, plan, plenty), one, many, plan);
-        all.lost += f.lost;
-        all.late += f.late;
-        meeting += f.meeting;
+        all += faults_of(support::join_all(widest_join(), one, many, plan, plenty), one, many, plan);
     }
     CHECK(all.lost == 0);
     CHECK(all.late == 0);
-    CHECK(meeting > 5'000);
+    CHECK(all.meeting > 5'000);
 }
 
 TEST_CASE("join: a long path meets what it grazes at a side of its box")
 {
-    std::size_t meeting = 0;
     Faults all;
     for (std::uint64_t i = 0; i < 300; ++i) {
         Random random(15, i);
@@ -187,8 +186,7 @@ TEST_CASE("join: a long path meets what it grazes at a side of its box")
         const auto grown = static_cast<float>(random.chance(0.5) ? 0 : random.log_between(1e-4, 0.1));
         while (still.sweeps.size() < 180) {
             const Vec3 at = random.in_cube(6);
-            still.sweeps.push_back(
-                support::sweep_of_ball({at.x(), at.y(), at.z()}, {0, 0, 0}, random.log_between(0.01, 0.3)));
+            still.sweeps.push_back(support::sweep_of_ball(at, Vec3(0, 0, 0), random.log_between(0.01, 0.3)));
         }
         while (fast.sweeps.size() < 15) {
             const Sweep& target = still.sweeps[fast.sweeps.size() * 7];
@@ -202,24 +200,18 @@ TEST_CASE("join: a long path meets what it grazes at a side of its box")
             off[side] = random.chance(0.5) ? reach : -reach;
             const Vec3 middle = Vec3(target.from[0], target.from[1], target.from[2]) + off;
             const Vec3 from = middle - random.between(1, 8) * along, by = random.between(9, 16) * along;
-            fast.sweeps.push_back(
-                support::sweep_of_ball({from.x(), from.y(), from.z()}, {by.x(), by.y(), by.z()}, radius));
+            fast.sweeps.push_back(support::sweep_of_ball(from, by, radius));
         }
         fast.plant(0, 1);
         still.plant(0, 1);
         still.tree.still = true;
         const Plan plan = plan_of(31, grown, 1);
-        const Faults f =
-            faults_of(support::join_all(widest_join(), fast, still, plan, plenty), fast, still, plan);
-        all.lost += f.lost;
-        all.late += f.late;
-        all.kept += f.kept;
-        meeting += f.meeting;
+        all += faults_of(support::join_all(widest_join(), fast, still, plan, plenty), fast, still, plan);
     }
     CHECK(all.lost == 0);
     CHECK(all.late == 0);
-    CHECK(meeting > 4'500);
-    CHECK(2 * all.kept < 3 * meeting);
+    CHECK(all.meeting > 4'500);
+    CHECK(2 * all.kept < 3 * all.meeting);
 }
 
 TEST_CASE("join: what recedes is not nearing")

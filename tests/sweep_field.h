@@ -9,7 +9,6 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -18,11 +17,11 @@
 /// Random sweeps in a tree, and what a join says of them.
 namespace brink::support {
 
-inline Sweep sweep_of_ball(const std::array<double, 3>& from, const std::array<double, 3>& by, double radius)
+inline Sweep sweep_of_ball(const Vec3& from, const Vec3& by, double radius)
 {
     Sweep s;
     s.radius = static_cast<float>(radius);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
         s.from[axis] = static_cast<float>(from[axis]);
         s.by[axis] = static_cast<float>(by[axis]);
         const auto f = static_cast<double>(s.from[axis]), b = static_cast<double>(s.by[axis]),
@@ -71,7 +70,7 @@ public:
                 if (travel % 2 == 0) by[axis] = static_cast<double>(near.by[axis]);
             }
         }
-        return sweep_of_ball({at.x(), at.y(), at.z()}, {by.x(), by.y(), by.z()}, radius);
+        return sweep_of_ball(at, by, radius);
     }
 
 private:

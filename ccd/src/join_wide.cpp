@@ -11,6 +11,8 @@
 #include "join.h"
 #include "tolerance.h"
 
+#include <algorithm>
+
 #define JOIN_ATTR HWY_ATTR
 
 HWY_BEFORE_NAMESPACE();
