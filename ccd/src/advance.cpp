@@ -26,7 +26,7 @@ public:
         : course_(a, b, options), watch_(a.part, b.part, course_.radii + course_.tolerance)
     {
     }
-    Toi run(const StartOracle&);
+    Toi run(const StartOracle&, int spent);
     Toi from_contact();
     std::optional<Toi> from_proven_contact();
     void describe(Toi& toi);
@@ -195,8 +195,9 @@ template <class Part> Toi Advance<Part>::go_on_from(const Separation& start)
     return approach();
 }
 
-template <class Part> Toi Advance<Part>::run(const StartOracle& oracle)
+template <class Part> Toi Advance<Part>::run(const StartOracle& oracle, int spent)
 {
+    course_.iterations = spent;
     if (course_.window.empty || course_.window.begin > course_.options.t_max) return course_.apart();
     course_.go(course_.window.begin);
     look();
@@ -257,9 +258,9 @@ template <class Part> void Advance<Part>::describe(Toi& toi)
 
 template <class Part>
 Toi certified_advancement(const Mover<Core>& a, const Mover<Part>& b, const Options& options,
-                          const StartOracle& oracle)
+                          const StartOracle& oracle, int spent)
 {
-    return Advance<Part>(a, b, options).run(oracle);
+    return Advance<Part>(a, b, options).run(oracle, spent);
 }
 
 template <class Part> Toi from_contact(const Mover<Core>& a, const Mover<Part>& b, const Options& options)
@@ -279,10 +280,10 @@ void describe_contact(Toi& toi, const Mover<Core>& a, const Mover<Part>& b, cons
     Advance<Part>(a, b, options).describe(toi);
 }
 
-template Toi certified_advancement(const Mover<Core>&, const Mover<Core>&, const Options&,
-                                   const StartOracle&);
+template Toi certified_advancement(const Mover<Core>&, const Mover<Core>&, const Options&, const StartOracle&,
+                                   int);
 template Toi certified_advancement(const Mover<Core>&, const Mover<Border>&, const Options&,
-                                   const StartOracle&);
+                                   const StartOracle&, int);
 template Toi from_contact(const Mover<Core>&, const Mover<Core>&, const Options&);
 template Toi from_contact(const Mover<Core>&, const Mover<Border>&, const Options&);
 template std::optional<Toi> from_proven_contact(const Mover<Core>&, const Mover<Core>&, const Options&);

@@ -18,9 +18,11 @@ struct StartOracle {
 
 /// First contact of two moving shapes by certified advancement: at each pose the distance between them gives
 /// an axis, and the axis a step over which they provably stay apart (B. Mirtich 1996; X. Zhang, M. Lee and Y.
-/// Kim 2006). Inputs are already validated. Part is Core or Border.
+/// Kim 2006). Inputs are already validated. Part is Core or Border. `spent` distance evaluations are counted
+/// already.
 template <class Part>
-Toi certified_advancement(const Mover<Core>& a, const Mover<Part>& b, const Options&, const StartOracle&);
+Toi certified_advancement(const Mover<Core>& a, const Mover<Part>& b, const Options&, const StartOracle&,
+                          int spent = 0);
 
 /// The same where contact at the start is already known.
 template <class Part> Toi from_contact(const Mover<Core>& a, const Mover<Part>& b, const Options&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
 
+#include "falling.h"
 #include "lanes.h"
 #include "support.h"
 #include "tolerance.h"
@@ -13,14 +14,6 @@ namespace brink {
 namespace {
 
 constexpr int newton_rounds = 8;
-
-/// Where the parabola above + slope h - curvature h^2 / 2 falls to zero.
-double falls(double above, double slope, double curvature)
-{
-    const double root = std::sqrt(slope * slope + 2 * curvature * above);
-    if (slope > 0) return curvature > 0 ? (slope + root) / curvature : infinity;
-    return root - slope > 0 ? 2 * above / (root - slope) : infinity;
-}
 
 /// The points that support the turning axis at some h, as a line in h: its value at h = 0 and its slope, side
 /// by side in one register.

@@ -43,9 +43,7 @@ Course<Part>::Course(const Mover<Core>& a, const Mover<Part>& b, const Options& 
     const double swing = std::is_same_v<Part, Border> ? norm(from_) + travel + a.reach : b.reach;
     const double lengths =
         distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + o.target_gap;
-    tolerance = std::max(o.tolerance, 2 * tolerance::least_slack * lengths);
-    rounding = tolerance::certificate_slack * lengths;
-    slack = std::min(rounding, 0.5 * tolerance);
+    static_cast<Allowance&>(*this) = {lengths, o};
     fastest = travel + a.turn.angle * a.reach + b.turn.angle * swing;
     facing_.margin = radii + slack;
     window = meeting(a, b, from_, velocity, o.target_gap + slack);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "allowance.h"
 #include "certificate.h"
 #include "window.h"
 
@@ -9,7 +10,7 @@
 namespace brink {
 
 /// Two bodies on their way through the step, seen from A's pivot, and what an answer about them needs.
-template <class Part> class Course {
+template <class Part> class Course : public Allowance {
 public:
     Course(const Mover<Core>& a, const Mover<Part>& b, const Options& options);
     Course(const Course&) = delete;
@@ -41,11 +42,8 @@ public:
     bool translates() const { return a_.turn.angle == 0 && b_.turn.angle == 0; }
 
     const Options& options;
-    double rounding = 0;  // of a gap, at most
-    double slack = 0;     // what rounding can take off a bound
-    double tolerance = 0; // how near counts as there
-    double fastest = 0;   // no gap changes faster
-    double radii = 0;     // with the target gap
+    double fastest = 0; // no gap changes faster
+    double radii = 0;   // with the target gap
     Window window;
     int iterations = 0; // distance evaluations
 

@@ -4,31 +4,9 @@
 #include "tolerance.h"
 #include "trend.h"
 
-#include <cmath>
-
 namespace brink {
 
 namespace {
-
-/// The gap along an axis at some time.
-struct Guess {
-    double time;
-    Trend gap;
-};
-
-/// When the gap falls to `aim`, by the last guess and, where its bend is no more than a correction, by a
-/// cubic for the time as a function of the gap through both.
-double falls_to(double aim, const Guess& before, const Guess& last)
-{
-    const double newton = (aim - last.gap.now) / last.gap.rate;
-    const double rise = before.gap.now - last.gap.now;
-    const double secant = (before.time - last.time) / rise;
-    const double at_last = (secant - 1 / last.gap.rate) / rise,
-                 at_before = (1 / before.gap.rate - secant) / rise;
-    const double left = aim - last.gap.now;
-    const double bend = left * left * (at_last + (aim - before.gap.now) * ((at_before - at_last) / rise));
-    return last.time + (std::fabs(bend) <= 0.5 * std::fabs(newton) ? newton + bend : newton);
-}
 
 /// The same bodies as time runs backwards.
 template <class Part> Facing<Part> backwards(const Facing<Part>& f)

@@ -27,6 +27,15 @@ static inline Triangle scaled(const Triangle& s, int e)
 static inline Plane scaled(const Plane& s, int e) { return {s.normal, std::ldexp(s.offset, e)}; }
 static inline HalfSpace scaled(const HalfSpace& s, int e) { return {s.normal, std::ldexp(s.offset, e)}; }
 
+static inline Cylinder scaled(const Cylinder& s, int e)
+{
+    return {std::ldexp(s.half_length, e), std::ldexp(s.radius, e)};
+}
+static inline Cone scaled(const Cone& s, int e)
+{
+    return {std::ldexp(s.half_length, e), std::ldexp(s.radius, e)};
+}
+
 static inline Motion scaled(const Motion& m, int e)
 {
     return {{scaled(m.start.position, e), m.start.orientation},

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <brink/toi.h>
 
-#include "advance.h"
 #include "exact_contact.h"
 #include "glance.h"
 #include "pair_table.h"
 #include "pairs.h"
 #include "portal_cast.h"
 #include "rescale.h"
+#include "solve_turning.h"
 #include "tolerance.h"
-#include "window.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -27,13 +25,6 @@ namespace {
     const Motion& b = q.motion_b;
     const V3 from = load(a.start.position) - load(b.start.position);
     return {from, load(a.translation) - load(b.translation), q.options.target_gap, q.options.t_max, a, b};
-}
-
-/// An answer that has a time but no contact to tell about.
-Toi plain(Status status, double t, double t_upper = infinity)
-{
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {status, t, t_upper, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, nan, 0};
 }
 
 /// A hit with everything a caller may want to know about it.
@@ -68,8 +59,6 @@ template <class A, class B> Toi hit_at(const Query& q, double t, double t_upper)
         describe_contact(toi, mover(as<A>(q.a), q.motion_a), mover(as<B>(q.b), q.motion_b), q.options);
     return toi;
 }
-
-template <class A, class B> Toi solve_turning(const Query& q);
 
 /// What a closed form left in doubt: for the advancement where there are no exact numbers; else a start that
 /// witnesses prove in contact is left to it, and exact numbers tell the rest. What they cannot hold is a hit.
@@ -112,43 +101,6 @@ template <class A, class B, class Solve>
     const Motion motion_a = scaled(q.motion_a, exponent), motion_b = scaled(q.motion_b, exponent);
     const Options options = scaled(q.options, exponent);
     return scaled(solve(Query{a, motion_a, b, motion_b, options, &q}), -exponent);
-}
-
-/// Of a pair in whole numbers, however it moves. What even those cannot hold counts as contact.
-bool begins_in_contact(const Query& q)
-{
-    const Motion a = Motion::still(q.motion_a.start), b = Motion::still(q.motion_b.start);
-    Options at_start = q.options;
-    at_start.t_max = 0;
-    return exact_contact({q.a, a, q.b, b, at_start}).status != Status::separated;
-}
-
-/// By advancement, in lengths times 2^e.
-template <class A, class B> Toi solve_turning(const Query& q, int e)
-{
-    const auto a = part(as<A>(q.a));
-    const auto b = part(as<B>(q.b));
-    const StartOracle oracle{*q.given, in_whole_numbers<A, B> ? &begins_in_contact : nullptr};
-    if (e != 0) {
-        const auto near_a = mover(scaled(a, e), scaled(q.motion_a, e));
-        const auto near_b = mover(scaled(b, e), scaled(q.motion_b, e));
-        return scaled(certified_advancement(near_a, near_b, scaled(q.options, e), oracle), -e);
-    }
-    if (never_near(a, q.motion_a, b, q.motion_b, q.options)) return plain(Status::separated, q.options.t_max);
-    return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options, oracle);
-}
-template <class A, class B> Toi solve_turning(const Query& q)
-{
-    return solve_turning<A, B>(q, exponent_to_usual(as<A>(q.a), as<B>(q.b), q));
-}
-
-template <class A, class B>
-[[gnu::noinline]] Toi solve(const Shape& a, const Motion& motion_a, const Shape& b, const Motion& motion_b,
-                            const Options& options)
-{
-    const Query q{a, motion_a, b, motion_b, options};
-    if (usual_turning<A, B>(q)) return solve_turning<A, B>(q, 0);
-    return valid<A, B>(q) ? solve_turning<A, B>(q) : Toi{};
 }
 
 template <class A, class B, Entry (*kernel)(const A&, const B&, const Approach&)>

@@ -3,6 +3,8 @@
 
 #include <brink/toi.h>
 
+#include <limits>
+
 namespace brink {
 
 /// What time_of_impact was asked, by reference.
@@ -14,6 +16,13 @@ struct Query {
     const Options& options;
     const Query* given = this; // the same in the caller's own lengths
 };
+
+/// An answer that has a time but no contact to tell about.
+static inline Toi plain(Status status, double t, double t_upper = infinity)
+{
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {status, t, t_upper, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, nan, 0};
+}
 
 /// Swaps the sides of an answer.
 static inline Toi flipped(Toi toi)

@@ -130,6 +130,9 @@ inline constexpr int quick_way = 8;
 inline constexpr int most_guesses = 8;
 inline constexpr int most_leaps = 2;
 
+/// After so many looks a point's way past a core is left to the general advancement: likewise a guess.
+inline constexpr int most_passing = 24;
+
 /// After so many looks the way is a long one, on which axes at hand are tried before the next: likewise a
 /// guess, as is the part of a step that is worth its while.
 inline constexpr int long_way = 32;

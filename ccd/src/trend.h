@@ -2,16 +2,12 @@
 #pragma once
 
 #include "certificate.h"
+#include "falling.h"
 #include "support.h"
 
 /// How bodies near each other, as far as two of their points tell: what times are guessed from. No bound
 /// rests on it.
 namespace brink {
-
-/// A gap, and how fast it grows.
-struct Trend {
-    double now = 0, rate = 0;
-};
 
 /// That between a point of A and one of B, which go with their bodies, along an axis.
 template <class Part>

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <brink/pose.h>
+
+#include <cmath>
+
+/// When a gap falls, as far as its value and its rate tell.
+namespace brink {
+
+/// Where the parabola above + slope h - curvature h^2 / 2 falls to zero.
+static inline double falls(double above, double slope, double curvature)
+{
+    const double root = std::sqrt(slope * slope + 2 * curvature * above);
+    if (slope > 0) return curvature > 0 ? (slope + root) / curvature : infinity;
+    return root - slope > 0 ? 2 * above / (root - slope) : infinity;
+}
+
+/// A gap, and how fast it grows.
+struct Trend {
+    double now = 0, rate = 0;
+};
+
+/// The gap at some time.
+struct Guess {
+    double time;
+    Trend gap;
+};
+
+/// When the gap falls to `aim`, by the last guess and, where its bend is no more than a correction, by a
+/// cubic for the time as a function of the gap through both.
+static inline double falls_to(double aim, const Guess& before, const Guess& last)
+{
+    const double rise = before.gap.now - last.gap.now, left = aim - last.gap.now;
+    const double per_rise = 1 / rise, slope = 1 / last.gap.rate, slope_before = 1 / before.gap.rate;
+    const double newton = left * slope, secant = (before.time - last.time) * per_rise;
+    const double at_last = (secant - slope) * per_rise, at_before = (slope_before - secant) * per_rise;
+    const double bend = left * left * (at_last + (aim - before.gap.now) * ((at_before - at_last) * per_rise));
+    return last.time + (std::fabs(bend) <= 0.5 * std::fabs(newton) ? newton + bend : newton);
+}
+
+} // namespace brink
