@@ -46,7 +46,7 @@ TEST_CASE("never_near: balls that pass by a hair, that hold bodies however they 
         moving.translation = 2 * before * way;
         const auto passes_at = [&](double distance) {
             moving.start.position = still.start.position - before * way + distance * side;
-            return never_near(a, still, b, moving, options);
+            return never_near(reach(a) + b.radius, still, moving, options);
         };
         CAPTURE(i);
         CHECK(passes_at(together * (1 + 1e-9)));

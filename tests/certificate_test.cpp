@@ -5,57 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <variant>
 
 using namespace brink;
 using support::Random;
-
-namespace {
-
-Box random_box(Random& random)
-{
-    const double x = random.chance(0.1) ? 0 : random.between(0.01, 1), y = random.between(0.01, 1);
-    const double z = random.log_between(1e-3, 4);
-    return {Vec3(x, y, z)};
-}
-
-/// At rest, glued to either body, or anything.
-V3 any_spin(Random& random, const TwoBodies<Core>& s)
-{
-    const V3 any = load(random.in_cube(4));
-    const int choice = random.index(4);
-    return choice == 0 ? V3{} : choice == 1 ? s.a.turn.rate : choice == 2 ? s.b.turn.rate : any;
-}
-
-/// A segment, cylinder, cone, ellipsoid or, half of the time, a box: some of them flat or long.
-Shape random_shape(Random& random, int kind)
-{
-    const double radius = random.log_between(0.01, 1), half_length = random.log_between(0.01, 2);
-    const Box box = random_box(random);
-    switch (kind) {
-    case 0:
-        return Capsule{Vec3(0, 0, -half_length), Vec3(0.1, 0, half_length), 0};
-    case 1:
-        return Cylinder{half_length, radius};
-    case 2:
-        return Cone{half_length, radius};
-    case 3:
-        return Ellipsoid{box.half_extents};
-    default:
-        return box;
-    }
-}
-
-Mover<Core> moving_core(const Shape& shape, const Motion& motion)
-{
-    if (const auto* s = std::get_if<Capsule>(&shape)) return mover(*s, motion);
-    if (const auto* s = std::get_if<Cylinder>(&shape)) return mover(*s, motion);
-    if (const auto* s = std::get_if<Cone>(&shape)) return mover(*s, motion);
-    if (const auto* s = std::get_if<Ellipsoid>(&shape)) return mover(*s, motion);
-    return mover(std::get<Box>(shape), motion);
-}
-
-} // namespace
 
 TEST_CASE("safe_step: no gap opens into contact within a certified step, whatever the axis and its spin")
 {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "depth.h"
+#include "hull_data.h"
 #include "solid_cores.h"
 #include "support/solid.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <vector>
 
 using namespace brink;
 using support::Random;
@@ -55,7 +57,58 @@ Sample solid_shape(SolidCores& draw, int kind)
     return {Ellipsoid{{x, y, z}}, core(Ellipsoid{{x, y, z}}), {x, y, z}};
 }
 
+/// How deep a point lies in the hull of corners, by every plane through three of them that has none beyond.
+Real depth_in_hull(const std::vector<Real3>& corners, Real3 p)
+{
+    Real least = infinity;
+    for (const Real3& a : corners)
+        for (const Real3& b : corners)
+            for (const Real3& c : corners) {
+                const Real3 n = cross(b - a, c - a);
+                const auto beyond = [&](Real3 q) { return dot(n, q - a) > 1e-16L; };
+                if (!(norm(n) > 1e-9L) || std::any_of(corners.begin(), corners.end(), beyond)) continue;
+                least = std::min(least, dot(n, a - p) / norm(n));
+            }
+    return least;
+}
+
 } // namespace
+
+TEST_CASE("depth: of hulls, no plane of three corners is nearer")
+{
+    SolidCores draw(94);
+    int inside = 0, outside = 0, known = 0;
+    for (int i = 0; i < 2'000; ++i) {
+        CAPTURE(i);
+        const double length = draw.random.chance(0.5) ? 1 : draw.random.log_between(1e-6, 1e6);
+        std::vector<Vec3> points;
+        std::vector<Real3> corners;
+        const Vec3 size = length * Vec3(1, draw.random.log_between(1e-3, 1), draw.random.between(0.1, 1));
+        for (int k = 4 + draw.random.index(9); k > 0; --k) {
+            points.push_back(draw.random.in_cube(1).cwiseProduct(size));
+            corners.push_back((1 / Real{length}) * real(load(points.back())));
+        }
+        const Hull hull = Hull::from_points(points);
+        const Core local = core(hull);
+        if (local.hull->face_offset.empty()) continue; // without Qhull
+        ++known;
+        const Quat turned = draw.random.rotation();
+        const V3 at = load(Vec3(length * draw.random.in_cube(2)));
+        const Core placed_hull = placed(local, rotation(turned), at);
+        const Vec3 mean = 0.25 * (points[0] + points[1] + points[2] + points[3]);
+        const Vec3 p = mean + draw.random.between(0, 1) * (points.back() - mean) +
+                       (draw.random.chance(0.3) ? 0.3 : 0.0) * draw.random.in_cube(1).cwiseProduct(size);
+        const double found = depth(placed_hull, at + rotation(turned) * load(p)) / length;
+        const Real truth = depth_in_hull(corners, (1 / Real{length}) * real(load(p)));
+        CHECK(found <= truth + 4e-15L);
+        if (truth > 1e-6L) CHECK(found >= truth - 1e-10L);
+        if (truth < 0) CHECK(!(found > 4e-15));
+        inside += truth > 1e-6L;
+        outside += truth < 0;
+    }
+    CHECK((known == 0 || inside > 500));
+    CHECK((known == 0 || outside > 100));
+}
 
 TEST_CASE("depth: no direction leads out sooner, and none does outside")
 {
@@ -105,12 +158,14 @@ TEST_CASE("depth: by hand, from the centre outwards")
     CHECK(depth(core(Ellipsoid{{1, 2, 3}}), {0, 2.5, 0}) < 0);
 }
 
-TEST_CASE("depth: none of what has no inside, or faces that are not known")
+TEST_CASE("depth: none of what has no inside")
 {
     SolidCores draw(92);
     CHECK(depth(core(Sphere{1}), {}) == -infinity); // its core is a point
-    for (const int kind : {3, 6, 7})
+    for (const int kind : {6, 7})
         CHECK(depth(draw.local(kind), {}) == -infinity);
+    const Vec3 square[] = {{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}, {1, 1, 0}};
+    CHECK(!(depth(core(Hull::from_points(square)), {}) > 0));
 }
 
 TEST_CASE("depth: a cone that is a disc, a line or a point holds no point deep, and none outside of it")

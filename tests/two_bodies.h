@@ -4,6 +4,8 @@
 #include "certificate.h"
 #include "support/random.h"
 
+#include <variant>
+
 /// Two moving bodies as the certificates see them.
 namespace brink {
 
@@ -60,5 +62,48 @@ template <class Part> struct Moment {
                 0};
     }
 };
+
+inline Box random_box(support::Random& random)
+{
+    const double x = random.chance(0.1) ? 0 : random.between(0.01, 1), y = random.between(0.01, 1);
+    const double z = random.log_between(1e-3, 4);
+    return {Vec3(x, y, z)};
+}
+
+/// At rest, glued to either body, or anything.
+inline V3 any_spin(support::Random& random, const TwoBodies<Core>& s)
+{
+    const V3 any = load(random.in_cube(4));
+    const int choice = random.index(4);
+    return choice == 0 ? V3{} : choice == 1 ? s.a.turn.rate : choice == 2 ? s.b.turn.rate : any;
+}
+
+/// A segment, cylinder, cone, ellipsoid or, half of the time, a box: some of them flat or long.
+inline Shape random_shape(support::Random& random, int kind)
+{
+    const double radius = random.log_between(0.01, 1), half_length = random.log_between(0.01, 2);
+    const Box box = random_box(random);
+    switch (kind) {
+    case 0:
+        return Capsule{Vec3(0, 0, -half_length), Vec3(0.1, 0, half_length), 0};
+    case 1:
+        return Cylinder{half_length, radius};
+    case 2:
+        return Cone{half_length, radius};
+    case 3:
+        return Ellipsoid{box.half_extents};
+    default:
+        return box;
+    }
+}
+
+inline Mover<Core> moving_core(const Shape& shape, const Motion& motion)
+{
+    if (const auto* s = std::get_if<Capsule>(&shape)) return mover(*s, motion);
+    if (const auto* s = std::get_if<Cylinder>(&shape)) return mover(*s, motion);
+    if (const auto* s = std::get_if<Cone>(&shape)) return mover(*s, motion);
+    if (const auto* s = std::get_if<Ellipsoid>(&shape)) return mover(*s, motion);
+    return mover(std::get<Box>(shape), motion);
+}
 
 } // namespace brink

@@ -10,7 +10,7 @@ namespace brink {
 
 namespace {
 
-using enum Feature::Kind;
+constexpr Feature::Kind edge = Feature::Kind::edge;
 
 struct Cosines {
     double of[3][3]; // A's axis i with B's axis j
@@ -130,16 +130,15 @@ BoxAxis box_axis(const Core& a, const Core& b)
     return {best.gap, facing((1 / norm(n)) * n, best.side), best.index};
 }
 
-Feature feature_of_a(const Core& a, int index)
+TurningAxis box_axis(const Facing<Core>& f, int index, V3 towards)
 {
-    if (index < 3) return {face, axis(a, index)};
-    return index < 6 ? Feature{} : Feature{edge, axis(a, (index - 6) / 3)};
-}
-
-Feature feature_of_b(const Core& b, int index)
-{
-    if (index < 3) return {};
-    return index < 6 ? Feature{face, axis(b, index - 3)} : Feature{edge, axis(b, (index - 6) % 3)};
+    const Core &a = f.a.part, &b = f.b.part;
+    if (index < 6) {
+        const V3 n = index < 3 ? axis(a, index) : axis(b, index - 3);
+        return {facing(n, dot(n, towards)), index < 3 ? f.a.rate : f.b.rate};
+    }
+    const Feature of_a{edge, axis(a, (index - 6) / 3)}, of_b{edge, axis(b, (index - 6) % 3)};
+    return axis_between(of_a, f.a.rate, of_b, f.b.rate, towards, towards);
 }
 
 BoxWitness box_witness(const Core& a, const Core& b, int index, V3 normal)

@@ -16,9 +16,9 @@ struct BoxAxis {
 /// as well. (S. Gottschalk, M. Lin, D. Manocha, OBBTree, 1996.)
 BoxAxis box_axis(const Core& a, const Core& b);
 
-/// The features that an axis belongs to.
-Feature feature_of_a(const Core& a, int index);
-Feature feature_of_b(const Core& b, int index);
+/// The axis of that index wherever the boxes have gone since, in the sense of `towards`, and the spin that
+/// its features ask for.
+TurningAxis box_axis(const Facing<Core>&, int index, V3 towards);
 
 /// Points of the two features that come nearest; with good luck of the boxes. Their distance bounds that of
 /// the boxes from above in any case.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
 
-#include "falling.h"
 #include "lanes.h"
+#include "shadow.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -15,95 +15,6 @@ namespace {
 
 constexpr int newton_rounds = 8;
 
-/// The points that support the turning axis at some h, as a line in h: its value at h = 0 and its slope, side
-/// by side in one register.
-using Line = Two;
-
-double at(Line l, double h) { return l[0] + h * l[1]; }
-
-/// axis + h shift
-class Turned {
-public:
-    Turned(V3 axis, V3 shift) : x_{axis.x, shift.x}, y_{axis.y, shift.y}, z_{axis.z, shift.z} {}
-
-    /// Its product with a vector
-    Line along(V3 v) const { return both(v.x) * x_ + both(v.y) * y_ + both(v.z) * z_; }
-    /// and with a point, whose slope is told from where the axis turns about.
-    Line along(V3 p, V3 pivot) const
-    {
-        return Line{p.x, p.x - pivot.x} * x_ + Line{p.y, p.y - pivot.y} * y_ + Line{p.z, p.z - pivot.z} * z_;
-    }
-    V3 at(double h) const { return {brink::at(x_, h), brink::at(y_, h), brink::at(z_, h)}; }
-
-private:
-    Line x_, y_, z_;
-};
-
-/// How a body shows along an axis n + h shift, for all h: where its extreme points lie, the farthest along
-/// the axis, or against it where `side` is -1. Of a few corners, and of a box, no more is needed than their
-/// lines.
-class Shadow {
-public:
-    Shadow(const Posed<Core>& body, V3 axis, V3 shift, double side)
-        : body_(body), axis_(axis, shift), side_(side), still_(shift == V3{} || body.part.count == 1)
-    {
-        const Core& c = body.part;
-        if (c.kind <= Core::Kind::triangle) {
-            for (int k = 0; k < c.count; ++k)
-                line_[k] = axis_.along(c.points[k], body.pivot);
-        } else if (c.kind == Core::Kind::box) {
-            middle_ = axis_.along(c.centre, body.pivot);
-            line_[0] = both(c.half_extents.x) * axis_.along(c.axes.x);
-            line_[1] = both(c.half_extents.y) * axis_.along(c.axes.y);
-            line_[2] = both(c.half_extents.z) * axis_.along(c.axes.z);
-        }
-        now_ = sought(0);
-    }
-    Line now() const { return now_; }
-    Line extreme(double h) const { return still_ ? now_ : sought(h); }
-
-private:
-    [[gnu::always_inline]] Line sought(double h) const
-    {
-        const Core& c = body_.part;
-        if (c.kind == Core::Kind::box) {
-            Line p = middle_;
-            for (const Line& l : line_)
-                p += brink::along(l, both(side_ * at(l, h)));
-            return p;
-        }
-        if (c.kind <= Core::Kind::triangle) {
-            Line best = line_[0];
-            for (int k = 1; k < c.count; ++k)
-                if (side_ * at(line_[k], h) > side_ * at(best, h)) best = line_[k];
-            return best;
-        }
-        return axis_.along(farthest(c, side_ * axis_.at(h)).point, body_.pivot);
-    }
-
-    const Posed<Core>& body_;
-    Turned axis_;
-    double side_;
-    bool still_;
-    Line middle_{}, line_[3]{}, now_;
-};
-
-/// A plane has one possible axis, its own normal, which stays with it.
-class Level {
-public:
-    Level(const Posed<Border>& body, V3 axis, V3, double)
-        : value_(dot(axis, body.part.normal) < 0 ? -body.part.offset : body.part.offset)
-    {
-    }
-    Line now() const { return Line{value_, 0}; }
-    Line extreme(double) const { return now(); }
-
-private:
-    double value_;
-};
-
-template <class Part> using ShadowOf = std::conditional_t<std::is_same_v<Part, Core>, Shadow, Level>;
-
 /// The largest x . q over a body's points about its pivot.
 double reach_along(const Posed<Core>& body, V3 q) { return highest(body.part, q) - dot(q, body.pivot); }
 double reach_along(const Posed<Border>&, V3) { return 0; }
@@ -111,7 +22,7 @@ double reach_along(const Posed<Border>&, V3) { return 0; }
 /// phi(h) = value + slope h - curvature h^2 / 2 <= gap(t + h) for h in [0, horizon]: every pair of points at
 /// once, because the extreme points are those of an axis that moves linearly. phi is concave. Proof:
 /// numerics.md.
-template <class Part> class Bound {
+template <class Part, class OfA = Shadow, class OfB = ShadowOf<Part>> class Bound {
 public:
     Bound(const Facing<Part>& f, const TurningAxis& axis, double horizon)
         : f_(f),
@@ -131,7 +42,7 @@ public:
     void bend_towards()
     {
         // Past the root of its tangent a concave function is negative.
-        if (now_[1] < 0 && now_[0] > 0) horizon_ = std::min(horizon_, now_[0] / -now_[1]);
+        if (now_.slope < 0 && now_.value > 0) horizon_ = std::min(horizon_, now_.value / -now_.slope);
         const double spin = norm(axis_.spin);
         const XYZ<Two> across = cross(rates_, both(axis_.spin));
         const Bend of_each = bend(across, spin);
@@ -145,7 +56,8 @@ public:
             third += spin * (spin * turn * far + 3 * turn * speed);
         }
         either_way_ = curvature_;
-        if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_[0]))) return;
+        if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_.value))) return;
+        if (now_.value > 0 && reaches(0, now_) >= horizon_) return; // this will do
         // The second derivative of n . x now is x . this.
         const XYZ<Two> normal = both(axis_.normal);
         const XYZ<Two> now = cross(normal, across) + cross(relative_, cross(relative_, normal));
@@ -159,11 +71,11 @@ public:
     double either_way() const { return either_way_; }
     Line now() const { return now_; }
     Line line(double h) const { return (b_.extreme(h) - a_.extreme(h)) + rest_; }
-    double bent(double h, Line l) const { return at(l, h) - 0.5 * curvature_ * h * h; }
+    double bent(double h, Line l) const { return l.at(h) - 0.5 * curvature_ * h * h; }
     /// Where the parabola through this line falls to `level`; never before phi itself does.
     double reaches(double level, Line l) const
     {
-        return falls(std::max(0.0, l[0] - level), l[1], curvature_);
+        return falls(std::max(0.0, l.value - level), l.slope, curvature_);
     }
 
     struct Last {
@@ -205,34 +117,57 @@ private:
     const Facing<Part>& f_;
     const TurningAxis& axis_;
     XYZ<Two> rates_, relative_, shift_; // A's and B's
-    Shadow a_;
-    ShadowOf<Part> b_;
+    OfA a_;
+    OfB b_;
     V3 drift_;
     Line rest_; // of the gap: what is the same for all points
     Line now_;
     double horizon_, curvature_ = 0, either_way_ = 0;
 };
 
+/// Does with a bound what is to be done; of the commonest cores with one made for them.
+template <class Part, class Do>
+auto with_bound(const Facing<Part>& f, const TurningAxis& axis, double horizon, Do go)
+{
+    using enum Core::Kind;
+    if constexpr (std::is_same_v<Part, Core>) {
+        const Core::Kind a = f.a.part.kind, b = f.b.part.kind;
+        if (a == box && b == box) return go(Bound<Part, BoxShadow, BoxShadow>(f, axis, horizon));
+        if (a == segment && b == box) return go(Bound<Part, SegmentShadow, BoxShadow>(f, axis, horizon));
+        if (a == segment && b == segment)
+            return go(Bound<Part, SegmentShadow, SegmentShadow>(f, axis, horizon));
+    }
+    return go(Bound<Part>(f, axis, horizon));
+}
+
 } // namespace
 
 template <class Part> Step safe_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
-    Bound<Part> bound(f, axis, horizon);
-    Step step{bound.now()[0], 0, 0};
-    if (!(step.gap > 0)) return step;
-    bound.bend_towards();
-    const auto [x, left] = bound.last(0);
-    // The chord lies below a concave function.
-    step.length = left >= 0 ? x : x * (step.gap / (step.gap - left)) * tolerance::step_shrink;
-    step.residual = bound.curvature() * step.length * step.length;
-    return step;
+    return with_bound(f, axis, horizon, [](auto bound) -> Step {
+        Step step{bound.now().value, 0, 0};
+        if (!(step.gap > 0)) return step;
+        bound.bend_towards();
+        const auto [x, left] = bound.last(0);
+        // The chord lies below a concave function.
+        step.length = left >= 0 ? x : x * (step.gap / (step.gap - left)) * tolerance::step_shrink;
+        step.residual = bound.curvature() * step.length * step.length;
+        return step;
+    });
+}
+
+template <class Part> Trend trend(const Facing<Part>& f, const TurningAxis& axis)
+{
+    return with_bound(f, axis, 0, [](const auto& bound) -> Trend {
+        return {bound.now().value, bound.now().slope};
+    });
 }
 
 template <class Part> double rising_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
     Bound<Part> bound(f, axis, horizon);
     bound.bend_towards();
-    const double level = bound.now()[0];
+    const double level = bound.now().value;
     const auto [x, value] = bound.last(level);
     if (x >= horizon && value >= level) return horizon;
     const double half = 0.5 * x; // the top of a parabola; further on the bound falls again
@@ -243,21 +178,21 @@ double growing_step(const Facing<Border>& f, const TurningAxis& axis, double hor
 {
     Bound<Border> bound(f, axis, horizon);
     bound.bend_towards();
-    const double level = bound.now()[0], rate = bound.now()[1];
+    const double level = bound.now().value, rate = bound.now().slope;
     if (!(rate >= 0)) return 0;
     const double most = bound.last(level).h;
     const double bent = 0.5 * (bound.curvature() + bound.either_way());
     double step = 0;
     for (const double h : {most, 0.5 * most}) {
         const Line l = bound.line(h);
-        const double gained = (l[0] - level) + h * l[1], needed = rate + bent * h;
+        const double gained = (l.value - level) + h * l.slope, needed = rate + bent * h;
         step = std::max(step, gained >= h * needed ? h : gained / needed);
     }
     if (f.b.part.solid) return step;
     const TurningAxis away{-axis.normal, axis.spin};
     Bound<Border> behind(f, away, step);
     behind.bend_towards();
-    const double lead = std::max(0.0, level - behind.now()[0]), gains = behind.now()[1];
+    const double lead = std::max(0.0, level - behind.now().value), gains = behind.now().slope;
     if (lead == 0 && gains == 0 && behind.either_way() > 0) return 0;
     return std::min(step, falls(lead, -gains, behind.either_way()));
 }
@@ -270,6 +205,8 @@ double closing_rate(const Facing<Core>& f, V3 axis)
 
 template Step safe_step(const Facing<Core>&, const TurningAxis&, double);
 template Step safe_step(const Facing<Border>&, const TurningAxis&, double);
+template Trend trend(const Facing<Core>&, const TurningAxis&);
+template Trend trend(const Facing<Border>&, const TurningAxis&);
 template double rising_step(const Facing<Core>&, const TurningAxis&, double);
 template double rising_step(const Facing<Border>&, const TurningAxis&, double);
 

@@ -19,6 +19,8 @@ V3 facing(V3 n, V3 v)
     return (dot(n, v) < 0 ? -1 / length : 1 / length) * n;
 }
 
+V3 in_sense(V3 n, V3 v) { return dot(n, v) < 0 ? -n : n; }
+
 /// The common normal of two edges of bodies that turn with w_a and w_b: a normal at right angles to an edge e
 /// that turns with w changes by eta with eta . e = -n . (w x e).
 TurningAxis between_edges(V3 e, V3 rate_a, V3 g, V3 rate_b, V3 v, V3 towards)
@@ -62,8 +64,8 @@ Feature feature(const Core& c, int count, const int* corners)
 
 TurningAxis axis_between(const Feature& a, V3 rate_a, const Feature& b, V3 rate_b, V3 v, V3 towards)
 {
-    if (a.kind == face) return {facing(a.along, towards), rate_a};
-    if (b.kind == face) return {facing(b.along, towards), rate_b};
+    if (a.kind == face) return {in_sense(a.along, towards), rate_a};
+    if (b.kind == face) return {in_sense(b.along, towards), rate_b};
     if (a.kind == edge && b.kind == edge) return between_edges(a.along, rate_a, b.along, rate_b, v, towards);
     if (a.kind == edge) return over_edge(a.along, rate_a, v);
     if (b.kind == edge) return over_edge(b.along, rate_b, v);

@@ -19,7 +19,7 @@ double size(const Border& border) { return std::fabs(border.offset); }
 /// The lengths of one body that roundings are relative to.
 template <class Part> double extent(const Mover<Part>& m)
 {
-    return norm(m.arm) + (1 + m.turn.angle) * m.reach + size(m.part);
+    return sum_of_magnitudes(m.arm) + (1 + m.turn.angle) * m.reach + size(m.part);
 }
 
 } // namespace
@@ -39,7 +39,7 @@ Course<Part>::Course(const Mover<Core>& a, const Mover<Part>& b, const Options& 
               0}
 {
     const V3 velocity = facing_.velocity;
-    const double distance = norm(b.position - a.position), travel = norm(velocity);
+    const double distance = sum_of_magnitudes(b.position - a.position), travel = norm(velocity);
     const double swing = std::is_same_v<Part, Border> ? norm(from_) + travel + a.reach : b.reach;
     const double lengths =
         distance + 2 * travel + extent(a) + extent(b) + b.turn.angle * swing + o.target_gap;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "depth.h"
 
+#include "hull_data.h"
+
 #include <algorithm>
 
 namespace brink {
@@ -23,6 +25,10 @@ double depth(const Core& c, V3 point)
     case Core::Kind::ellipsoid: { // a part of the way out that is left in every direction
         const V3 q{p.x / h.x, p.y / h.y, p.z / h.z};
         return (1 - norm(q)) * std::min({h.x, h.y, h.z});
+    }
+    case Core::Kind::hull: { // whose axes are as long as its unit
+        const double unit = norm(c.axes.x);
+        return unit * depth(*c.hull, (1 / (unit * unit)) * p);
     }
     default:
         return -infinity;

@@ -6,7 +6,7 @@
 namespace brink {
 
 /// How deep a point lies inside a core, at least: no ball of that radius about it reaches out. Negative
-/// outside, and -infinity where a core has no inside or its faces are not known.
+/// outside, or where the faces of a hull are not known, and -infinity where a core has no inside.
 double depth(const Core&, V3 point);
 
 } // namespace brink

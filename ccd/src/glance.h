@@ -3,10 +3,12 @@
 
 #include "approach.h"
 #include "hull_data.h"
+#include "scaling.h"
 #include "toi_query.h"
 #include "tolerance.h"
 #include "valid_motion.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -38,6 +40,26 @@ static inline double radius(const Sphere& s) { return s.radius; }
 static inline double radius(const Capsule& s) { return s.radius; }
 template <class Shape> static inline double radius(const Shape&) { return 0; }
 
+/// The radius of a ball about the origin that holds the shape, but for rounding.
+static inline double held(const Sphere& s) { return s.radius; }
+static inline double held(const Capsule& s)
+{
+    return std::sqrt(std::max(norm_squared(load(s.a)), norm_squared(load(s.b)))) + s.radius;
+}
+static inline double held(const Box& s) { return norm(load(s.half_extents)); }
+static inline double held(const Triangle& s)
+{
+    return std::sqrt(std::max({norm_squared(load(s.a)), norm_squared(load(s.b)), norm_squared(load(s.c))}));
+}
+static inline double held(const Cylinder& s) { return norm({s.half_length, s.radius, 0}); }
+static inline double held(const Cone& s) { return norm({s.half_length, s.radius, 0}); }
+static inline double held(const Ellipsoid& s) { return largest_coordinate(load(s.radii)); }
+static inline double held(const Hull& s)
+{
+    const HullData* data = s.data();
+    return data ? data->unit * (norm(data->middle) + data->ball) : 0;
+}
+
 static inline double sum(const Vec3& v) { return sum_of_magnitudes(load(v)); }
 static inline double size(const Sphere& s) { return s.radius; }
 static inline double size(const Capsule& s) { return sum(s.a) + sum(s.b) + s.radius; }
@@ -48,10 +70,7 @@ static inline double size(const HalfSpace& s) { return std::fabs(s.offset); }
 static inline double size(const Cylinder& s) { return s.half_length + s.radius; }
 static inline double size(const Cone& s) { return s.half_length + s.radius; }
 static inline double size(const Ellipsoid& s) { return sum(s.radii); }
-static inline double size(const Hull& s)
-{
-    return s.data() ? std::ldexp(s.data()->reach, s.data()->exponent) : 0;
-}
+static inline double size(const Hull& s) { return s.data() ? s.data()->unit * s.data()->reach : 0; }
 static inline double size(const Motion& m)
 {
     return sum(m.start.position) + sum(m.translation) + sum(m.pivot);

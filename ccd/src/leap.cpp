@@ -33,10 +33,10 @@ public:
             const double next = falls_to(aim, before, last);
             if (!(last.gap.rate < 0 && next > start_ && next < course_.window.end)) return back();
             course_.go(next);
-            if (!see()) return back();
             before = last;
-            last = guess();
+            if (watch_.can_glance() ? !glance(last) : !see(last)) return back();
             if (!(last.gap.now > 0 && last.gap.now <= course_.tolerance)) continue;
+            if (glanced_) sight_ = watch_.sight(course_.facing(), glance_);
             if (!fresh_) watch_.land(course_.facing(), sight_);
             if (there()) return proven();
             if (fresh_ || !look()) return back();
@@ -64,11 +64,26 @@ private:
         fresh_ = true;
         return !(sight_.axis.normal == V3{});
     }
-    bool see()
+    /// A guess by the nearest points: however their axis turns, the rate of their distance is the same.
+    bool glance(Guess& guess)
     {
-        if (!watch_.can_follow()) return look();
-        sight_ = watch_.follow(course_.facing());
-        fresh_ = false;
+        if (course_.iterations >= course_.options.max_iterations) return false;
+        ++course_.iterations;
+        glance_ = watch_.glance(course_.facing());
+        glanced_ = true;
+        guess = {course_.now(),
+                 trend(course_.facing(), {glance_.normal, {}}, glance_.point_a, glance_.point_a + glance_.v)};
+        return !(glance_.normal == V3{});
+    }
+    bool see(Guess& next)
+    {
+        if (watch_.can_follow()) {
+            sight_ = watch_.follow(course_.facing());
+            fresh_ = false;
+        } else if (!look()) {
+            return false;
+        }
+        next = guess();
         return !(sight_.axis.normal == V3{});
     }
     std::optional<Leap> back()
@@ -91,7 +106,9 @@ private:
     WatchOfPart& watch_;
     Sight sight_;
     double start_;
-    bool fresh_ = true; // whether the sight is that of a look
+    bool fresh_ = true;    // whether the sight is that of a look
+    bool glanced_ = false; // whether it is still to be made of
+    Glance glance_;
 };
 
 } // namespace

@@ -100,13 +100,11 @@ template <> void Mover<Border>::place(Border& copy, SinCos turned, V3 at) const
     copy.offset = part.offset + dot(copy.normal, at);
 }
 
-template <class Part>
-Mover<Part>::Mover(const Part& local, const Motion& motion)
-    : part(local),
-      position(load(motion.start.position)),
-      translation(load(motion.translation)),
-      turn(brink::turn(motion.rotation))
+template <class Part> void Mover<Part>::set_out(const Motion& motion)
 {
+    position = load(motion.start.position);
+    translation = load(motion.translation);
+    turn = brink::turn(motion.rotation);
     const V3 pivot = load(motion.pivot);
     const Rotation turned = rotation(motion.start.orientation);
     start(part, turned, pivot);

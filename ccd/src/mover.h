@@ -31,11 +31,23 @@ struct Turning {
     XYZ<Two> at(SinCos a) const { return still + both(a.cos) * cosine + both(a.sin) * sine; }
 };
 
+static inline Core part(const Sphere& s) { return core(s); }
+static inline Core part(const Capsule& s) { return core(s); }
+static inline Core part(const Box& s) { return core(s); }
+static inline Core part(const Triangle& s) { return core(s); }
+static inline Border part(const Plane& s) { return border(s); }
+static inline Border part(const HalfSpace& s) { return border(s); }
+static inline Core part(const Cylinder& s) { return core(s); }
+static inline Core part(const Cone& s) { return core(s); }
+static inline Core part(const Ellipsoid& s) { return core(s); }
+static inline Core part(const Hull& s) { return core(s); }
+
 /// A moving shape about its pivot: `Part` is Core (bounded) or Border (plane or half-space), in world axes at
 /// t = 0 and with the pivot as origin.
 template <class Part> struct Mover {
     /// A shape seen from itself, on its way.
-    Mover(const Part& local, const Motion&);
+    Mover(const Part& local, const Motion& m) : part(local) { set_out(m); }
+    template <class Shape> Mover(const Shape& s, const Motion& m) : part(brink::part(s)) { set_out(m); }
 
     Part part;
     V3 position; // of the body, world
@@ -55,22 +67,13 @@ template <class Part> struct Mover {
         place(copy, sin_cos(t * turn.angle), {});
         return copy;
     }
+
+private:
+    void set_out(const Motion&);
 };
 
 static inline Mover<Core> mover(const Core& local, const Motion& m) { return {local, m}; }
 static inline Mover<Border> mover(const Border& local, const Motion& m) { return {local, m}; }
-
-static inline Core part(const Sphere& s) { return core(s); }
-static inline Core part(const Capsule& s) { return core(s); }
-static inline Core part(const Box& s) { return core(s); }
-static inline Core part(const Triangle& s) { return core(s); }
-static inline Border part(const Plane& s) { return border(s); }
-static inline Border part(const HalfSpace& s) { return border(s); }
-static inline Core part(const Cylinder& s) { return core(s); }
-static inline Core part(const Cone& s) { return core(s); }
-static inline Core part(const Ellipsoid& s) { return core(s); }
-static inline Core part(const Hull& s) { return core(s); }
-
-template <class Shape> auto mover(const Shape& s, const Motion& m) { return mover(part(s), m); }
+template <class Shape> auto mover(const Shape& s, const Motion& m) { return Mover<decltype(part(s))>(s, m); }
 
 } // namespace brink

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sight.h"
 
-#include "closed_sight.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -41,20 +40,26 @@ Watch::Watch(const Core& a, const Core& b, double nearby) : method_(method(a, b)
 
 Sight Watch::look(const Facing<Core>& f)
 {
-    switch (method_) {
-    case Method::segments:
-        return look_at_segments(f);
-    case Method::thin_box:
-        return look_at_thin_box(f);
-    case Method::point_round:
-        return look_at_point_round(f);
-    case Method::boxes:
-        return look_at_boxes(f);
-    case Method::any:
-        break;
-    }
+    if (can_glance()) return sight(f, glance(f));
+    if (method_ == Method::boxes) return look_at_boxes(f);
     if (!is_polytope(f.a.part) || !is_polytope(f.b.part)) return look_by_gjk(f, tolerance::near_enough);
     return look_by_gjk(f, towards_ == V3{} ? tolerance::from_afar : 0);
+}
+
+Sight Watch::sight(const Facing<Core>& f, const Glance& g) const
+{
+    const Core &a = f.a.part, &b = f.b.part;
+    const auto [of_a, of_b] = method_ == Method::segments   ? AtSegments::features(a, b, g)
+                              : method_ == Method::thin_box ? AtThinBox::features(a, b, g)
+                                                            : AtPointRound::features(a, b, g);
+    const V3 towards = method_ == Method::point_round ? g.normal : g.v; // the way out, where inside
+    Sight s;
+    s.axis = axis_between(of_a, f.a.rate, of_b, f.b.rate, towards, towards);
+    s.normal = g.normal;
+    s.upper = g.upper;
+    s.point_a = g.point_a;
+    s.v = g.v;
+    return s;
 }
 
 Sight Watch::look_at_boxes(const Facing<Core>& f)
@@ -118,8 +123,7 @@ Sight Watch::follow(const Facing<Core>& f) const
     const Core &a = f.a.part, &b = f.b.part;
     Sight s;
     if (method_ == Method::boxes)
-        s.axis = axis_between(feature_of_a(a, box_index_), f.a.rate, feature_of_b(b, box_index_), f.b.rate,
-                              towards_, towards_);
+        s.axis = box_axis(f, box_index_, towards_);
     else
         s.axis = axis_between(corners_.feature_of_a(a), f.a.rate, corners_.feature_of_b(b), f.b.rate,
                               corners_.between(a, b), towards_);

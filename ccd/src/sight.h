@@ -3,7 +3,7 @@
 
 #include "box_axes.h"
 #include "certificate.h"
-#include "contact_features.h"
+#include "closed_sight.h"
 
 #include <optional>
 
@@ -43,6 +43,16 @@ public:
 
     /// An evaluation of the distance.
     Sight look(const Facing<Core>&);
+    /// Whether a closed form tells the nearest points, so that the axis can wait: that of
+    bool can_glance() const { return method_ < Method::boxes; }
+    Glance glance(const Facing<Core>& f) const
+    {
+        if (method_ == Method::segments) return AtSegments::glance(f.a.part, f.b.part);
+        if (method_ == Method::thin_box) return AtThinBox::glance(f.a.part, f.b.part);
+        return AtPointRound::glance(f.a.part, f.b.part);
+    }
+    /// What such a glance from this place shows.
+    Sight sight(const Facing<Core>&, const Glance&) const;
     /// The same as nearly as GJK tells it.
     Sight look_closely(const Facing<Core>&);
     /// The same by the longest way, which nothing can lead astray.
@@ -79,6 +89,9 @@ public:
     static Sight look(const Facing<Border>&);
     static Sight look_hard(const Facing<Border>& f) { return look(f); }
     static bool can_follow() { return true; }
+    static bool can_glance() { return false; }
+    static Glance glance(const Facing<Border>&) { return {}; }
+    static Sight sight(const Facing<Border>& f, const Glance&) { return look(f); }
     static bool far_sighted() { return true; }
     static Sight follow(const Facing<Border>& f) { return look(f); }
     static void land(const Facing<Border>&, const Sight&) {}

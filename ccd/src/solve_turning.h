@@ -42,18 +42,19 @@ template <class A, class B> static Toi solve_turning(const Query& q, int e)
 {
     const Toi passed = pass<A, B>(q, e);
     if (passed.status != Status::invalid) return passed;
-    const auto a = part(as<A>(q.a));
-    const auto b = part(as<B>(q.b));
+    const A& a = as<A>(q.a);
+    const B& b = as<B>(q.b);
     const StartOracle oracle{*q.given, in_whole_numbers<A, B> ? &begins_in_contact : nullptr};
+    const int spent = passed.iterations;
     if (e != 0) {
-        const auto near_a = mover(scaled(a, e), scaled(q.motion_a, e));
-        const auto near_b = mover(scaled(b, e), scaled(q.motion_b, e));
-        return scaled(certified_advancement(near_a, near_b, scaled(q.options, e), oracle, passed.iterations),
-                      -e);
+        const auto near_a = mover(scaled(part(a), e), scaled(q.motion_a, e));
+        const auto near_b = mover(scaled(part(b), e), scaled(q.motion_b, e));
+        return scaled(certified_advancement(near_a, near_b, scaled(q.options, e), oracle, spent), -e);
     }
-    if (never_near(a, q.motion_a, b, q.motion_b, q.options)) return plain(Status::separated, q.options.t_max);
-    return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options, oracle,
-                                 passed.iterations);
+    if constexpr (std::is_same_v<decltype(part(b)), Core>)
+        if (never_near(held(a) + held(b), q.motion_a, q.motion_b, q.options))
+            return plain(Status::separated, q.options.t_max);
+    return certified_advancement(mover(a, q.motion_a), mover(b, q.motion_b), q.options, oracle, spent);
 }
 template <class A, class B> static Toi solve_turning(const Query& q)
 {

@@ -139,6 +139,9 @@ inline constexpr int long_way = 32;
 inline constexpr double worth_coasting = 0.1;
 inline constexpr int most_coasted = 64; // steps to a look
 
+/// Up to so many corners are looked at one by one on such a way.
+inline constexpr int most_corners = 1024;
+
 /// How much of the time in which a deep contact could end is passed before it is looked at again.
 inline constexpr double watchful = 0.25;
 

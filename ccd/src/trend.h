@@ -2,8 +2,6 @@
 #pragma once
 
 #include "certificate.h"
-#include "falling.h"
-#include "support.h"
 
 /// How bodies near each other, as far as two of their points tell: what times are guessed from. No bound
 /// rests on it.
@@ -16,15 +14,6 @@ static inline Trend trend(const Facing<Part>& f, const TurningAxis& axis, V3 on_
     const V3 n = axis.normal, way = on_b - on_a;
     const V3 growing = f.velocity + cross(f.b.rate, on_b - f.b.pivot) - cross(f.a.rate, on_a);
     return {dot(n, way) - f.margin, dot(n, growing) + dot(cross(axis.spin, n), way)};
-}
-
-static inline V3 lowest(const Core& core, V3 axis) { return farthest(core, -axis).point; }
-static inline V3 lowest(const Border& border, V3) { return border.offset * border.normal; }
-
-/// That between the points that come nearest to each other along an axis.
-template <class Part> static inline Trend trend(const Facing<Part>& f, const TurningAxis& axis)
-{
-    return trend(f, axis, farthest(f.a.part, axis.normal).point, lowest(f.b.part, axis.normal));
 }
 
 } // namespace brink

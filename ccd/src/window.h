@@ -22,7 +22,8 @@ struct Window {
 /// When the balls about both pivots that hold the bodies meet and part: any number of turns, one quadratic.
 static inline Window meeting(V3 from, V3 by, double radius)
 {
-    const double grown = radius + tolerance::clip_slack * (norm(from) + norm(by) + radius);
+    const double grown =
+        radius + tolerance::clip_slack * (sum_of_magnitudes(from) + sum_of_magnitudes(by) + radius);
     const double c = norm_squared(from) - grown * grown, along = dot(from, by), a = norm_squared(by);
     if (c > 0 && along >= 0) return {.empty = true};
     const double discriminant = a * grown * grown - norm_squared(cross(from, by));
@@ -48,20 +49,17 @@ static inline Window meeting(const Mover<Core>& a, const Mover<Part>& b, V3 from
 }
 
 /// The same with room for all rounding, before anything is turned: whether bodies that turn about their
-/// origins stay apart until t_max, whatever their turns.
-static inline bool never_near(const Core& a, const Motion& motion_a, const Core& b, const Motion& motion_b,
-                              const Options& options)
+/// origins stay apart until t_max, whatever their turns. `radius`: those of balls about these that hold them,
+/// added up.
+static inline bool never_near(double radius, const Motion& a, const Motion& b, const Options& options)
 {
-    if (!(load(motion_a.pivot) == V3{} && load(motion_b.pivot) == V3{})) return false;
-    const V3 from = load(motion_b.start.position) - load(motion_a.start.position);
-    const V3 by = load(motion_b.translation) - load(motion_a.translation);
-    const double radius = reach(a) + reach(b) + a.radius + b.radius + options.target_gap;
-    const Window w = meeting(from, by, radius + tolerance::clip_room * (radius + norm(from) + norm(by)));
+    if (!(load(a.pivot) == V3{} && load(b.pivot) == V3{})) return false;
+    const V3 from = load(b.start.position) - load(a.start.position);
+    const V3 by = load(b.translation) - load(a.translation);
+    const double grown = radius + options.target_gap;
+    const double room = grown + sum_of_magnitudes(from) + sum_of_magnitudes(by);
+    const Window w = meeting(from, by, grown + tolerance::clip_room * room);
     return w.empty || w.begin > options.t_max;
-}
-static inline bool never_near(const Core&, const Motion&, const Border&, const Motion&, const Options&)
-{
-    return false;
 }
 
 } // namespace brink

@@ -67,7 +67,7 @@ Core core(const Hull& hull)
     Core c;
     if (hull.data() == nullptr) return c;
     const HullData& data = *hull.data();
-    const double unit = std::ldexp(1, data.exponent);
+    const double unit = data.unit;
     c.count = data.count();
     if (c.count <= 3) {
         constexpr Core::Kind kinds[] = {Core::Kind::point, Core::Kind::segment, Core::Kind::triangle};

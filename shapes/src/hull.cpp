@@ -114,6 +114,26 @@ void connect(HullData& data, const Surface& surface, const std::vector<int>& pla
     data.first_neighbour.push_back(static_cast<int>(data.neighbours.size()));
 }
 
+/// The planes of a surface's faces, each as far inwards as its rounding may have moved it.
+void bound(HullData& data, const std::vector<V3>& points, const Surface& surface)
+{
+    const auto at = [&](int k) { return points[static_cast<std::size_t>(k)]; };
+    const auto add = [&](V3 normal, double offset) {
+        data.face_x.push_back(normal.x);
+        data.face_y.push_back(normal.y);
+        data.face_z.push_back(normal.z);
+        data.face_offset.push_back(offset);
+    };
+    for (const Corners& f : surface.faces()) {
+        const V3 a = at(f[0]), e = at(f[1]) - a, g = at(f[2]) - a, n = cross(e, g);
+        const double length = norm(n), doubt = tolerance::face * norm(e) * norm(g);
+        const bool flat = !(length > doubt); // no side of it is known
+        const V3 unit = flat ? V3{} : (1 / length) * n;
+        add(unit, flat ? -infinity : dot(unit, a) - doubt / length);
+    }
+    if (data.face_offset.size() % 2 != 0) add({}, infinity);
+}
+
 } // namespace
 
 Hull Hull::from_points(std::span<const Vec3> points)
@@ -121,11 +141,12 @@ Hull Hull::from_points(std::span<const Vec3> points)
     check(points);
     const std::vector<Vec3> given = distinct(points);
     auto data = std::make_shared<HullData>();
-    data->exponent = unit_exponent(given);
+    const int exponent = unit_exponent(given);
+    data->unit = std::ldexp(1, exponent);
     std::vector<V3> all;
     all.reserve(given.size());
     for (const Vec3& p : given)
-        all.push_back(scaled(load(p), -data->exponent));
+        all.push_back(scaled(load(p), -exponent));
 
     const Surface surface(all, proposed_faces(all));
     const std::vector<bool> stays = kept(all, surface);
@@ -138,6 +159,7 @@ Hull Hull::from_points(std::span<const Vec3> points)
         data->vertices.push_back(given[i]);
     }
     place_corners(*data, corners);
+    bound(*data, all, surface);
     if (surface.convex() && surface.corner_count() == corners.size()) connect(*data, surface, place);
     return Hull(std::move(data));
 }

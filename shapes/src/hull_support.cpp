@@ -126,4 +126,14 @@ int farthest(const HullData& h, V3 d)
     return h.count() <= most_scanned || h.neighbours.empty() ? scan(h, d) : climb(h, d);
 }
 
+double depth(const HullData& h, V3 point)
+{
+    Two least = both(h.face_offset.empty() ? 0 : infinity);
+    for (std::size_t k = 0; k < h.face_offset.size(); k += 2) {
+        const XYZ<Two> n{load_two(&h.face_x[k]), load_two(&h.face_y[k]), load_two(&h.face_z[k])};
+        least = smaller(load_two(&h.face_offset[k]) - dot(n, both(point)), least);
+    }
+    return least[1] < least[0] ? least[1] : least[0];
+}
+
 } // namespace brink

@@ -52,6 +52,11 @@ inline constexpr double side = 8 * epsilon;
 /// differences (volume unit): nine products of up to 64, four roundings each, some 2^9 epsilon, doubled.
 inline constexpr double plane = 0x1p-40;
 
+/// By how much the plane of two edges may be off within the hull, times the lengths of both and over that of
+/// their cross product (no unit, coordinates below 2): 6 roundings (of epsilon / 2) of each of its
+/// components, over a distance of 7, doubled twice.
+inline constexpr double face = 0x1p-45;
+
 /// A ball that touches a plane at its computed distance is surely on the near side of it when the square of
 /// its radius is multiplied by this (no unit).
 inline constexpr double inner = 1 - 0x1p-20;
