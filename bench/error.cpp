@@ -5,6 +5,7 @@
 #include "error_verdict.h"
 #include "machine.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "pair_sample.h"
 #include "part.h"
 
+#include <CLI/CLI.hpp>
 #include <approach_with.h>
 #include <fmt/format.h>
 

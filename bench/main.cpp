@@ -4,6 +4,7 @@
 #include "report.h"
 #include "rubble.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -5,6 +5,7 @@
 #include "pairs_report.h"
 #include "part.h"
 
+#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <filesystem>

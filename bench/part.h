@@ -4,14 +4,16 @@
 #include "csv.h"
 #include "output.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace brink::bench {
 

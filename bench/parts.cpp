@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "part.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 namespace brink::bench {

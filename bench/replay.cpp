@@ -3,6 +3,7 @@
 #include "part.h"
 #include "replay_report.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace brink::bench {

@@ -6,6 +6,7 @@
 #include "scene_run.h"
 #include "scene_threads.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 

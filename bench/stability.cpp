@@ -6,6 +6,7 @@
 #include "stability_report.h"
 #include "stability_run.h"
 
+#include <CLI/CLI.hpp>
 #include <stress.h>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "tunnelling_report.h"
 #include "tunnelling_strip.h"
 
+#include <CLI/CLI.hpp>
 #include <print.h>
 
 #include <algorithm>

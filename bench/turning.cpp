@@ -6,6 +6,7 @@
 #include "turning_picture.h"
 #include "turning_report.h"
 
+#include <CLI/CLI.hpp>
 #include <stress_turning.h>
 
 #include <algorithm>

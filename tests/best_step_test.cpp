@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "best_step.h"
-#include "random.h"
+#include "two_bodies.h"
 #include "window.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 
 using namespace brink;
@@ -28,6 +29,34 @@ TEST_CASE(
         rolling.see(first, time + step); // no time has passed
         CHECK(norm(rolling.spin - truth) <= 1e-6 * rate);
     }
+}
+
+TEST_CASE("step_by_corners: nothing opens into contact, the plane turns or not")
+{
+    Random random(153);
+    int certified = 0, of_planes = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Motion motion_a = random_motion(random, 2), motion_b = random_motion(random, 2);
+        const Mover<Core> a = moving_core(random_shape(random, i % 8), motion_a);
+        const double t = random.between(0, 0.9);
+        const auto check = [&](const auto& scene, int& count) {
+            Sight seen;
+            seen.normal = scene.at(t).normal;
+            const Moment s(scene, t);
+            const Step step = step_by_corners(s.facing(), seen, 1 - t);
+            if (!(step.gap > 1e-9)) return;
+            CAPTURE(i);
+            double least = infinity;
+            for (int k = 0; k <= 64; ++k)
+                least = std::min(least, scene.at(t + step.length * k / 64).gap);
+            CHECK(least > -1e-12);
+            ++count;
+        };
+        check(TwoBodies<Core>{a, moving_core(random_shape(random, i / 8 % 8), motion_b)}, certified);
+        check(TwoBodies<Border>{a, mover(HalfSpace{random.unit(), 0}, motion_b)}, of_planes);
+    }
+    CHECK(certified > 5'000);
+    CHECK(of_planes > 5'000);
 }
 
 TEST_CASE("never_near: balls that pass by a hair, that hold bodies however they turn")

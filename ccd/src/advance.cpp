@@ -3,7 +3,6 @@
 
 #include "best_step.h"
 #include "contact_by.h"
-#include "corner_step.h"
 #include "leap.h"
 #include "leave.h"
 #include "sight.h"
@@ -73,13 +72,10 @@ template <class Part> void Advance<Part>::look()
 /// On a long way corner by corner as well: a body may rock on one.
 template <class Part> Step Advance<Part>::best_step() const
 {
-    Step best = brink::best_step(course_.facing(), sight_, rolling_.spin, horizon());
+    const Step best = brink::best_step(course_.facing(), sight_, rolling_.spin, horizon());
     if (course_.iterations < tolerance::long_way) return best;
-    for (const V3 spin : {V3{}, course_.facing().a.rate, course_.facing().b.rate}) {
-        const Step s = corner_step(course_.facing(), {sight_.best_normal(), spin}, horizon());
-        if (s.length > best.length) best = s;
-    }
-    return best;
+    const Step rocking = step_by_corners(course_.facing(), sight_, horizon());
+    return rocking.length > best.length ? rocking : best;
 }
 
 template <class Part> Separation Advance<Part>::measured()
@@ -93,12 +89,9 @@ template <class Part> bool Advance<Part>::coast(const Step& step)
 {
     AtHand axis{sight_.best_normal(), step.length};
     for (int i = 0; i < tolerance::most_coasted; ++i) {
-        axis = step_at_hand(course_.facing(), axis.normal, axis.length, horizon());
-        if (watch_.can_follow()) {
-            const TurningAxis followed = watch_.follow(course_.facing()).axis;
-            const double length = corner_step(course_.facing(), followed, horizon()).length;
-            if (length > axis.length) axis = {followed.normal, length};
-        }
+        const Facing<Part>& f = course_.facing();
+        const TurningAxis followed = watch_.can_follow() ? watch_.follow(f).axis : rolling_.at(course_.now());
+        axis = step_at_hand(f, axis, followed, horizon());
         if (!(axis.length >= tolerance::worth_coasting * step.length)) break;
         const double next = course_.now() + axis.length;
         if (next > course_.options.t_max || next >= course_.window.end) return true;

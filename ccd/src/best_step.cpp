@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "best_step.h"
 
+#include "corner_step.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -73,17 +74,30 @@ V3 gone_along(V3 normal, const Posed<Core>& body, double time)
 
 } // namespace
 
-template <class Part> AtHand step_at_hand(const Facing<Part>& f, V3 normal, double since, double horizon)
+template <class Part> Step step_by_corners(const Facing<Part>& f, const Sight& sight, double horizon)
 {
-    AtHand best;
+    Step best = corner_step(f, TurningAxis{sight.best_normal(), f.b.rate}, horizon);
+    if constexpr (std::is_same_v<Part, Core>) { // a plane's axis goes with it
+        for (const V3 spin : {V3{}, f.a.rate}) {
+            const Step s = corner_step(f, TurningAxis{sight.best_normal(), spin}, horizon);
+            if (s.length > best.length) best = s;
+        }
+    }
+    return best;
+}
+
+template <class Part>
+AtHand step_at_hand(const Facing<Part>& f, const AtHand& served, const TurningAxis& followed, double horizon)
+{
+    AtHand best{followed.normal, corner_step(f, followed, horizon).length};
     if constexpr (std::is_same_v<Part, Core>) { // a plane's normal is all there is
         const auto attempt = [&](V3 n, V3 spin) {
             const double length = safe_step(f, TurningAxis{n, spin}, horizon).length;
             if (length > best.length) best = {n, length};
         };
-        attempt(normal, {});
-        attempt(gone_along(normal, f.a, since), f.a.rate);
-        attempt(gone_along(normal, f.b, since), f.b.rate);
+        attempt(served.normal, {});
+        attempt(gone_along(served.normal, f.a, served.length), f.a.rate);
+        attempt(gone_along(served.normal, f.b, served.length), f.b.rate);
         const V3 across = middle(f.b.part) - middle(f.a.part);
         if (norm(across) > 0) attempt((1 / norm(across)) * across, {});
     }
@@ -94,7 +108,9 @@ template Step first_step(const Facing<Core>&, const Sight&, double);
 template Step first_step(const Facing<Border>&, const Sight&, double);
 template Step best_step(const Facing<Core>&, const Sight&, V3, double);
 template Step best_step(const Facing<Border>&, const Sight&, V3, double);
-template AtHand step_at_hand(const Facing<Core>&, V3, double, double);
-template AtHand step_at_hand(const Facing<Border>&, V3, double, double);
+template Step step_by_corners(const Facing<Core>&, const Sight&, double);
+template Step step_by_corners(const Facing<Border>&, const Sight&, double);
+template AtHand step_at_hand(const Facing<Core>&, const AtHand&, const TurningAxis&, double);
+template AtHand step_at_hand(const Facing<Border>&, const AtHand&, const TurningAxis&, double);
 
 } // namespace brink

@@ -18,6 +18,9 @@ template <class Part> Step first_step(const Facing<Part>&, const Sight&, double 
 /// surfaces, as far as it is known.
 template <class Part> Step best_step(const Facing<Part>&, const Sight&, V3 rolling, double horizon);
 
+/// Corner by corner, along the axis that a look shows, at rest or glued to either body.
+template <class Part> Step step_by_corners(const Facing<Part>&, const Sight&, double horizon);
+
 /// How features fare that are followed from a look on.
 struct Trail {
     int followed = 0;           // axis steps since the look
@@ -35,8 +38,9 @@ struct AtHand {
     V3 normal;
     double length = 0;
 };
-/// The best of these: one that served `since` ago, where it was or gone along with either body, and the one
-/// from the midst of A to that of B.
-template <class Part> AtHand step_at_hand(const Facing<Part>&, V3 normal, double since, double horizon);
+/// The best of these: one that has served until here, where it was or gone along with either body, one that
+/// has been followed, corner by corner, and the one from the midst of A to that of B.
+template <class Part>
+AtHand step_at_hand(const Facing<Part>&, const AtHand& served, const TurningAxis& followed, double horizon);
 
 } // namespace brink

@@ -176,6 +176,13 @@ void Rolling::see(V3 normal, double time)
     time_ = time;
 }
 
+TurningAxis Rolling::at(double time) const
+{
+    const double rate = norm(spin);
+    if (!(rate > 0)) return {normal_, spin};
+    return {turned(Turn{spin, (1 / rate) * spin, rate}, time - time_) * normal_, spin};
+}
+
 std::optional<Separation> shown(const Sight& sight, const Facing<Core>& f, double doubt)
 {
     const Core &a = f.a.part, &b = f.b.part;

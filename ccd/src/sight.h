@@ -26,6 +26,8 @@ struct Rolling {
     V3 spin; // of the axis; zero before it is known
 
     void see(V3 normal, double time);
+    /// The axis that it has come to at another time, if it goes on like that.
+    TurningAxis at(double time) const;
 
 private:
     V3 normal_; // from which on it is told
