@@ -51,8 +51,8 @@ static inline double held(const Triangle& s)
 {
     return std::sqrt(std::max({norm_squared(load(s.a)), norm_squared(load(s.b)), norm_squared(load(s.c))}));
 }
-static inline double held(const Cylinder& s) { return norm({s.half_length, s.radius, 0}); }
-static inline double held(const Cone& s) { return norm({s.half_length, s.radius, 0}); }
+static inline double held(const Cylinder& s) { return norm(V3{s.half_length, s.radius, 0}); }
+static inline double held(const Cone& s) { return norm(V3{s.half_length, s.radius, 0}); }
 static inline double held(const Ellipsoid& s) { return largest_coordinate(load(s.radii)); }
 static inline double held(const Hull& s)
 {

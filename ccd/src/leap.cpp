@@ -33,8 +33,10 @@ public:
             const double next = falls_to(aim, before, last);
             if (!(last.gap.rate < 0 && next > start_ && next < course_.window.end)) return back();
             course_.go(next);
+            const std::optional<Guess> seen = watch_.can_glance() ? glance() : see();
+            if (!seen) return back();
             before = last;
-            if (watch_.can_glance() ? !glance(last) : !see(last)) return back();
+            last = *seen;
             if (!(last.gap.now > 0 && last.gap.now <= course_.tolerance)) continue;
             if (glanced_) sight_ = watch_.sight(course_.facing(), glance_);
             if (!fresh_) watch_.land(course_.facing(), sight_);
@@ -65,26 +67,27 @@ private:
         return !(sight_.axis.normal == V3{});
     }
     /// A guess by the nearest points: however their axis turns, the rate of their distance is the same.
-    bool glance(Guess& guess)
+    std::optional<Guess> glance()
     {
-        if (course_.iterations >= course_.options.max_iterations) return false;
+        if (course_.iterations >= course_.options.max_iterations) return {};
         ++course_.iterations;
         glance_ = watch_.glance(course_.facing());
         glanced_ = true;
-        guess = {course_.now(),
-                 trend(course_.facing(), {glance_.normal, {}}, glance_.point_a, glance_.point_a + glance_.v)};
-        return !(glance_.normal == V3{});
+        if (glance_.normal == V3{}) return {};
+        const V3 a = glance_.point_a;
+        return Guess{course_.now(), trend(course_.facing(), {glance_.normal, {}}, a, a + glance_.v)};
     }
-    bool see(Guess& next)
+    /// One by the features followed, or else by another look.
+    std::optional<Guess> see()
     {
         if (watch_.can_follow()) {
             sight_ = watch_.follow(course_.facing());
             fresh_ = false;
         } else if (!look()) {
-            return false;
+            return {};
         }
-        next = guess();
-        return !(sight_.axis.normal == V3{});
+        if (sight_.axis.normal == V3{}) return {};
+        return guess();
     }
     std::optional<Leap> back()
     {

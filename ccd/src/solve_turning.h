@@ -40,7 +40,7 @@ template <class A, class B> static Toi pass(const Query& q, int e)
 /// By advancement, in lengths times 2^e.
 template <class A, class B> static Toi solve_turning(const Query& q, int e)
 {
-    const Toi passed = pass<A, B>(q, e);
+    Toi passed = pass<A, B>(q, e);
     if (passed.status != Status::invalid) return passed;
     const A& a = as<A>(q.a);
     const B& b = as<B>(q.b);
