@@ -4,6 +4,7 @@
 #include "certificate.h"
 #include "support/random.h"
 
+#include <algorithm>
 #include <variant>
 
 /// Two moving bodies as the certificates see them.
@@ -39,6 +40,15 @@ template <class Part> struct TwoBodies {
         return separation(a.turned_to(t), placed(b.turned_to(t), {}, offset(t)));
     }
 };
+
+/// The least gap at 65 times from t on.
+template <class Part> double least_gap(const TwoBodies<Part>& bodies, double t, double length)
+{
+    double least = infinity;
+    for (int k = 0; k <= 64; ++k)
+        least = std::min(least, bodies.at(t + length * k / 64).gap);
+    return least;
+}
 
 /// The two at one time, and what a certificate asks of them.
 template <class Part> struct Moment {
@@ -104,6 +114,23 @@ inline Mover<Core> moving_core(const Shape& shape, const Motion& motion)
     if (const auto* s = std::get_if<Cone>(&shape)) return mover(*s, motion);
     if (const auto* s = std::get_if<Ellipsoid>(&shape)) return mover(*s, motion);
     return mover(std::get<Box>(shape), motion);
+}
+
+/// Two bodies of the i-th pair of kinds, a time, and an axis with a spin: often the best one.
+struct AnyMoment {
+    TwoBodies<Core> bodies;
+    double t;
+    TurningAxis axis;
+};
+inline AnyMoment any_moment(support::Random& random, int i)
+{
+    const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
+    const Motion motion_a = random_motion(random, 3), motion_b = random_motion(random, 3);
+    const TwoBodies<Core> bodies{moving_core(a, motion_a), moving_core(b, motion_b)};
+    const double t = random.between(0, 0.9);
+    const bool best_axis = random.chance(0.7);
+    const V3 any = load(random.unit()), spin = any_spin(random, bodies);
+    return {bodies, t, {best_axis ? bodies.at(t).normal : any, spin}};
 }
 
 } // namespace brink

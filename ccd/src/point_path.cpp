@@ -3,6 +3,7 @@
 
 #include "allowance.h"
 #include "falling.h"
+#include "glance.h"
 #include "mover.h"
 #include "nearest.h"
 #include "point_round.h"
@@ -95,9 +96,6 @@ private:
     Core core_;
     V3 centre_;
 };
-
-double radius(const Capsule& capsule) { return capsule.radius; }
-double radius(const auto&) { return 0; }
 
 /// What is seen from the core at some time.
 struct Glimpse {
