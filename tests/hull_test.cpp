@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull_data.h"
 #include "random.h"
+#include "support.h"
 
 #include <brink/shape.h>
 #include <doctest/doctest.h>
@@ -65,6 +66,18 @@ void check_support(Random& random, const Points& points, const Hull& hull, int d
         }
         const Vec3 found = hull.vertices()[static_cast<std::size_t>(farthest(h, d))];
         CHECK(dot(load(found), d) >= most - 4 * eps * size);
+    }
+}
+
+/// The same corner however wide the registers are, of equal ones too.
+void check_same_corner(Random& random, const Hull& hull)
+{
+    const Core c = placed(core(hull), rotation(random.rotation()), load(random.in_cube(3)));
+    for (int i = 0; i < 200; ++i) {
+        const V3 d = i % 2 == 0 ? load(random.unit()) : i % 4 == 1 ? c.axes.x : c.axes.x - c.axes.z;
+        const SupportPoint found = farthest(c, d);
+        CHECK(found.corner == farthest(*c.hull, into(c.axes, d)));
+        CHECK(found.point == corner(c, found.corner));
     }
 }
 
@@ -163,4 +176,16 @@ TEST_CASE("hull: copies share")
     const Hull copy = hull;
     CHECK(copy.data() == hull.data());
     CHECK(copy.vertices().data() == hull.vertices().data());
+}
+
+TEST_CASE("hull: the farthest corner is the same in wide registers")
+{
+    Random random(98);
+    for (int count = 4; count <= 70; ++count) {
+        Points points;
+        for (int i = 0; i < count; ++i)
+            points.emplace_back(random.unit());
+        check_same_corner(random, Hull::from_points(points));
+    }
+    check_same_corner(random, Hull::from_points(cube_corners(1)));
 }

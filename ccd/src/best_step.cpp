@@ -12,7 +12,8 @@ namespace brink {
 
 bool passes(const Facing<Core>& f, const Sight& sight, double horizon)
 {
-    const double gap = gap_along(f.a.part, f.b.part, sight.normal) - f.margin;
+    const bool known = sight.apart > -infinity;
+    const double gap = (known ? sight.apart : gap_along(f.a.part, f.b.part, sight.normal)) - f.margin;
     return gap > 0 && closing_rate(f, sight.normal) * horizon <= gap;
 }
 bool passes(const Facing<Border>&, const Sight&, double) { return false; }

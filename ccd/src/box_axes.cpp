@@ -10,8 +10,6 @@ namespace brink {
 
 namespace {
 
-constexpr Feature::Kind edge = Feature::Kind::edge;
-
 struct Cosines {
     double of[3][3]; // A's axis i with B's axis j
     double size[3][3];
@@ -130,15 +128,12 @@ BoxAxis box_axis(const Core& a, const Core& b)
     return {best.gap, facing((1 / norm(n)) * n, best.side), best.index};
 }
 
-TurningAxis box_axis(const Facing<Core>& f, int index, V3 towards)
+Features box_features(const Core& a, const Core& b, int index)
 {
-    const Core &a = f.a.part, &b = f.b.part;
-    if (index < 6) {
-        const V3 n = index < 3 ? axis(a, index) : axis(b, index - 3);
-        return {facing(n, dot(n, towards)), index < 3 ? f.a.rate : f.b.rate};
-    }
-    const Feature of_a{edge, axis(a, (index - 6) / 3)}, of_b{edge, axis(b, (index - 6) % 3)};
-    return axis_between(of_a, f.a.rate, of_b, f.b.rate, towards, towards);
+    using enum Feature::Kind;
+    if (index < 3) return {{face, axis(a, index)}, {}};
+    if (index < 6) return {{}, {face, axis(b, index - 3)}};
+    return {{edge, axis(a, (index - 6) / 3)}, {edge, axis(b, (index - 6) % 3)}};
 }
 
 BoxWitness box_witness(const Core& a, const Core& b, int index, V3 normal)

@@ -16,9 +16,8 @@ struct BoxAxis {
 /// as well. (S. Gottschalk, M. Lin, D. Manocha, OBBTree, 1996.)
 BoxAxis box_axis(const Core& a, const Core& b);
 
-/// The axis of that index wherever the boxes have gone since, in the sense of `towards`, and the spin that
-/// its features ask for.
-TurningAxis box_axis(const Facing<Core>&, int index, V3 towards);
+/// The features of that axis wherever the boxes have gone since.
+Features box_features(const Core& a, const Core& b, int index);
 
 /// Points of the two features that come nearest; with good luck of the boxes. Their distance bounds that of
 /// the boxes from above in any case.

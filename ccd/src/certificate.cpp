@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
 
+#include "falling.h"
 #include "lanes.h"
 #include "shadow.h"
 #include "support.h"
@@ -156,13 +157,6 @@ template <class Part> Step safe_step(const Facing<Part>& f, const TurningAxis& a
     });
 }
 
-template <class Part> Trend trend(const Facing<Part>& f, const TurningAxis& axis)
-{
-    return with_bound(f, axis, 0, [](const auto& bound) -> Trend {
-        return {bound.now().value, bound.now().slope};
-    });
-}
-
 template <class Part> double rising_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
     Bound<Part> bound(f, axis, horizon);
@@ -205,8 +199,6 @@ double closing_rate(const Facing<Core>& f, V3 axis)
 
 template Step safe_step(const Facing<Core>&, const TurningAxis&, double);
 template Step safe_step(const Facing<Border>&, const TurningAxis&, double);
-template Trend trend(const Facing<Core>&, const TurningAxis&);
-template Trend trend(const Facing<Border>&, const TurningAxis&);
 template double rising_step(const Facing<Core>&, const TurningAxis&, double);
 template double rising_step(const Facing<Border>&, const TurningAxis&, double);
 

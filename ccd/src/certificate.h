@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "falling.h"
 #include "mover.h"
 
 namespace brink {
@@ -39,9 +38,6 @@ struct Step {
 
 /// The step that an axis proves from here; no longer than the horizon. Nothing where the gap is not positive.
 template <class Part> Step safe_step(const Facing<Part>&, const TurningAxis&, double horizon);
-
-/// The gap along an axis and its rate, by the points that are extreme along it now.
-template <class Part> Trend trend(const Facing<Part>&, const TurningAxis&);
 
 /// The time over which the gap along an axis is proven not to fall below its value now.
 template <class Part> double rising_step(const Facing<Part>&, const TurningAxis&, double horizon);

@@ -19,11 +19,6 @@ struct Glance {
     FromPoint::To to{};        // the part of a cylinder or cone
 };
 
-/// The features that those points lie on.
-struct Glanced {
-    Feature of_a, of_b;
-};
-
 static inline V3 direction(const Core& segment)
 {
     return segment.kind == Core::Kind::point ? V3{} : segment.points[1] - segment.points[0];
@@ -76,7 +71,7 @@ struct AtSegments {
         if (g.upper > 0) g.normal = (1 / g.upper) * g.v;
         return g;
     }
-    static Glanced features(const Core& a, const Core& b, const Glance& g)
+    static Features features(const Core& a, const Core& b, const Glance& g)
     {
         return {edge_feature(direction(a), g.on_a), edge_feature(direction(b), g.on_b)};
     }
@@ -96,7 +91,7 @@ struct AtThinBox {
         if (g.upper > 0) g.normal = (1 / g.upper) * g.v;
         return g;
     }
-    static Glanced features(const Core& thin, const Core& box, const Glance& g)
+    static Features features(const Core& thin, const Core& box, const Glance& g)
     {
         return {edge_feature(direction(thin), g.on_a), box_feature(box, g.local)};
     }
@@ -115,7 +110,7 @@ struct AtPointRound {
         g.to = to;
         return g;
     }
-    static Glanced features(const Core&, const Core& round, const Glance& g)
+    static Features features(const Core&, const Core& round, const Glance& g)
     {
         return {{}, round_feature(g.to, round.axes.z, g.normal)};
     }

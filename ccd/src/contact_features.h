@@ -13,6 +13,11 @@ struct Feature {
     V3 along; // edge: its direction; face: its normal, in either sense; unit
 };
 
+/// Those of A and of B.
+struct Features {
+    Feature of_a, of_b;
+};
+
 /// The axis that two features ask for, and the spin that keeps it right while the bodies turn: glued to a
 /// face; following the common normal of two edges; staying at right angles to an edge and over a corner; at
 /// rest between two corners. `v` leads from a point of one feature to one of the other; `towards` tells the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leap.h"
 
+#include "pursuit.h"
+#include "support.h"
 #include "tolerance.h"
 #include "trend.h"
 
@@ -17,6 +19,21 @@ template <class Part> Facing<Part> backwards(const Facing<Part>& f)
             f.margin};
 }
 
+/// A point of A and one of B.
+struct Ends {
+    V3 on_a, on_b;
+};
+/// The points that are extreme along the axis.
+Ends extreme(const Facing<Core>& f, const Sight& sight)
+{
+    const V3 n = sight.axis.normal;
+    return {farthest(f.a.part, n).point, farthest(f.b.part, -n).point};
+}
+Ends extreme(const Facing<Border>&, const Sight& sight)
+{
+    return {sight.point_a, sight.point_a + sight.v}; // which looks have found
+}
+
 template <class Part, class WatchOfPart> class Leaping {
 public:
     Leaping(Course<Part>& course, WatchOfPart& watch, const Sight& seen)
@@ -27,79 +44,95 @@ public:
     std::optional<Leap> run()
     {
         if (sight_.axis.normal == V3{} || sight_.guessed) return {};
-        const double aim = 0.125 * course_.slack; // many roundings of a pose
-        Guess last = guess(), before = last;
-        for (int i = 0; i < tolerance::most_guesses; ++i) {
-            const double next = falls_to(aim, before, last);
-            if (!(last.gap.rate < 0 && next > start_ && next < course_.window.end)) return back();
-            course_.go(next);
-            const std::optional<Guess> seen = watch_.can_glance() ? glance() : see();
-            if (!seen) return back();
-            before = last;
-            last = *seen;
-            if (!(last.gap.now > 0 && last.gap.now <= course_.tolerance)) continue;
-            if (glanced_) sight_ = watch_.sight(course_.facing(), glance_);
-            if (!fresh_) watch_.land(course_.facing(), sight_);
-            if (there()) return proven();
-            if (fresh_ || !look()) return back();
-            if (there()) return proven();
-            before = last = guess();
-        }
-        return back();
+        return watch_.can_glance() ? by_glances() : by_features();
     }
 
 private:
-    /// By the points seen, where they are the last look's; else by those that are extreme along the axis.
-    Guess guess() const
+    /// Where a closed form tells the nearest points, by these: however their axis turns, the rate of their
+    /// distance is the same.
+    std::optional<Leap> by_glances()
     {
-        const Facing<Part>& f = course_.facing();
-        if (!fresh_ || !(sight_.upper < infinity)) return {course_.now(), trend(f, sight_.axis)};
-        const V3 a = sight_.point_a;
-        return {course_.now(), trend(f, sight_.axis, a, a + sight_.v)};
+        Glance glance;
+        Guess last{course_.now(), nearing(sight_.normal, sight_.point_a, sight_.v)}, before = last;
+        for (int i = 0; i < tolerance::most_guesses; ++i) {
+            const double next = falls_to(aim(), before, last);
+            if (!(last.gap.rate < 0) || !go(next) || !may_look()) return back();
+            glance = watch_.glance(course_.facing());
+            if (glance.normal == V3{}) return back();
+            before = last;
+            last = {next, nearing(glance.normal, glance.point_a, glance.v)};
+            if (last.gap.now > 0 && last.gap.now <= course_.tolerance) break;
+        }
+        if (!(last.gap.now > 0 && last.gap.now <= course_.tolerance)) return back();
+        sight_ = watch_.sight(course_.facing(), glance);
+        return proven(way_back());
     }
+    Trend nearing(V3 normal, V3 point_a, V3 v) const
+    {
+        return trend(course_.facing(), {normal, {}}, point_a, point_a + v);
+    }
+
+    /// Else by the features of the last look, until another one shows what has come nearer.
+    std::optional<Leap> by_features()
+    {
+        Ends ends = nearest();
+        for (int i = 0; i < tolerance::most_guesses; ++i) {
+            const Pursuit way(course_.facing(), watch_.features(), ends.on_a, ends.on_b, sight_.axis.normal,
+                              course_.radii, course_.now());
+            const double next = way.falls_to(aim(), course_.tolerance, start_, course_.window.end);
+            if (next == course_.now() || !go(next)) return back();
+            sight_ = watch_.follow(course_.facing());
+            if (sight_.axis.normal == V3{}) return back();
+            watch_.land(course_.facing(), sight_);
+            if (const Step step = way_back(); step.gap > 0) return proven(step);
+            ends = extreme(course_.facing(), sight_);
+            if (!(dot(sight_.axis.normal, ends.on_b - ends.on_a) > course_.facing().margin)) continue;
+            if (!may_look()) return back();
+            sight_ = watch_.look(course_.facing());
+            if (sight_.axis.normal == V3{} || sight_.guessed) return back();
+            if (const Step step = way_back(); step.gap > 0) return proven(step);
+            ends = nearest();
+        }
+        return back();
+    }
+    /// The nearest points where they are known, else those that are extreme along the axis.
+    Ends nearest() const
+    {
+        const V3 a = sight_.point_a;
+        return sight_.upper < infinity ? Ends{a, a + sight_.v} : extreme(course_.facing(), sight_);
+    }
+
+    double aim() const { return 0.125 * course_.slack; } // many roundings of a pose
     bool there() const { return sight_.upper - course_.radii <= course_.tolerance; }
-    bool look()
+    bool go(double time)
+    {
+        if (!(time > start_ && time < course_.window.end)) return false;
+        course_.go(time);
+        return true;
+    }
+    /// Whether the budget has an evaluation left, which is then taken.
+    bool may_look()
     {
         if (course_.iterations >= course_.options.max_iterations) return false;
         ++course_.iterations;
-        sight_ = watch_.look(course_.facing());
-        fresh_ = true;
-        return !(sight_.axis.normal == V3{});
-    }
-    /// A guess by the nearest points: however their axis turns, the rate of their distance is the same.
-    std::optional<Guess> glance()
-    {
-        if (course_.iterations >= course_.options.max_iterations) return {};
-        ++course_.iterations;
-        glance_ = watch_.glance(course_.facing());
-        glanced_ = true;
-        if (glance_.normal == V3{}) return {};
-        const V3 a = glance_.point_a;
-        return Guess{course_.now(), trend(course_.facing(), {glance_.normal, {}}, a, a + glance_.v)};
-    }
-    /// One by the features followed, or else by another look.
-    std::optional<Guess> see()
-    {
-        if (watch_.can_follow()) {
-            sight_ = watch_.follow(course_.facing());
-            fresh_ = false;
-        } else if (!look()) {
-            return {};
-        }
-        if (sight_.axis.normal == V3{}) return {};
-        return guess();
+        return true;
     }
     std::optional<Leap> back()
     {
         if (course_.now() != start_) course_.go(start_);
         return {};
     }
-    std::optional<Leap> proven()
+    /// What the axis proves of the way from the start to here, within the tolerance of contact.
+    Step way_back() const
     {
+        if (!there()) return {};
         const TurningAxis axis{sight_.axis.normal, -sight_.axis.spin};
-        const double at = course_.now(), way = at - start_;
-        const Step step = safe_step(backwards(course_.facing()), axis, way);
-        if (step.length >= way) return Leap{start_, at, sight_};
+        return safe_step(backwards(course_.facing()), axis, course_.now() - start_);
+    }
+    std::optional<Leap> proven(const Step& step)
+    {
+        const double at = course_.now();
+        if (step.length >= at - start_) return Leap{start_, at, sight_};
         course_.go(start_);
         if (!(step.length > 0)) return {};
         return Leap{at - step.length, at, sight_};
@@ -109,9 +142,6 @@ private:
     WatchOfPart& watch_;
     Sight sight_;
     double start_;
-    bool fresh_ = true;    // whether the sight is that of a look
-    bool glanced_ = false; // whether it is still to be made of
-    Glance glance_;
 };
 
 } // namespace

@@ -19,6 +19,11 @@ Simplex towards(const Core& a, const Core& b, V3 normal)
     return s;
 }
 
+TurningAxis axis_of(const Facing<Core>& f, const Features& features, V3 v, V3 towards)
+{
+    return axis_between(features.of_a, f.a.rate, features.of_b, f.b.rate, v, towards);
+}
+
 } // namespace
 
 Watch::Method Watch::method(const Core& a, const Core& b)
@@ -49,10 +54,10 @@ Sight Watch::look(const Facing<Core>& f)
 Sight Watch::sight(const Facing<Core>& f, const Glance& g) const
 {
     const Core &a = f.a.part, &b = f.b.part;
+    const V3 towards = method_ == Method::point_round ? g.normal : g.v; // the way out, where inside
     const auto [of_a, of_b] = method_ == Method::segments   ? AtSegments::features(a, b, g)
                               : method_ == Method::thin_box ? AtThinBox::features(a, b, g)
                                                             : AtPointRound::features(a, b, g);
-    const V3 towards = method_ == Method::point_round ? g.normal : g.v; // the way out, where inside
     Sight s;
     s.axis = axis_between(of_a, f.a.rate, of_b, f.b.rate, towards, towards);
     s.normal = g.normal;
@@ -92,15 +97,17 @@ Sight Watch::look_by_gjk(const Facing<Core>& f, double relative)
     if (c.inside || c.normal == V3{}) return look_hard(f);
     Sight s;
     s.normal = towards_ = c.normal;
+    s.apart = c.lower;
     s.upper = norm(c.v);
     s.point_a = c.point_a;
     s.v = c.v;
     corners_ = Corners(c.simplex);
     s.guessed = !corners_.known();
     s.axis = {c.normal, {}};
-    if (!s.guessed)
-        s.axis = axis_between(corners_.feature_of_a(a), f.a.rate, corners_.feature_of_b(b), f.b.rate, c.v,
-                              towards_);
+    if (!s.guessed) {
+        features_ = {corners_.feature_of_a(a), corners_.feature_of_b(b)};
+        s.axis = axis_of(f, features_, c.v, towards_);
+    }
     return s;
 }
 
@@ -118,15 +125,17 @@ Sight Watch::look_hard(const Facing<Core>& f)
     return s;
 }
 
-Sight Watch::follow(const Facing<Core>& f) const
+Sight Watch::follow(const Facing<Core>& f)
 {
     const Core &a = f.a.part, &b = f.b.part;
     Sight s;
-    if (method_ == Method::boxes)
-        s.axis = box_axis(f, box_index_, towards_);
-    else
-        s.axis = axis_between(corners_.feature_of_a(a), f.a.rate, corners_.feature_of_b(b), f.b.rate,
-                              corners_.between(a, b), towards_);
+    if (method_ == Method::boxes) {
+        features_ = box_features(a, b, box_index_);
+        s.axis = axis_of(f, features_, towards_, towards_);
+    } else {
+        features_ = {corners_.feature_of_a(a), corners_.feature_of_b(b)};
+        s.axis = axis_of(f, features_, corners_.between(a, b), towards_);
+    }
     return s;
 }
 

@@ -11,12 +11,13 @@ namespace brink {
 
 /// What a look at two bodies shows.
 struct Sight {
-    Sight() {}               // NOLINT(modernize-use-equals-default): as in Core
-    TurningAxis axis;        // as their features ask for; zero where they ask for none
-    V3 normal;               // the axis of the distance itself; zero where none was found
-    bool guessed = false;    // the axis' spin is a guess: other ones may do better
-    double upper = infinity; // a distance between points of the cores, radii left out, where one was taken
-    V3 point_a, v;           // those points: v leads from A's to B's
+    Sight() {}                // NOLINT(modernize-use-equals-default): as in Core
+    TurningAxis axis;         // as their features ask for; zero where they ask for none
+    V3 normal;                // the axis of the distance itself; zero where none was found
+    double apart = -infinity; // what it is known to keep the cores apart by, up to rounding
+    bool guessed = false;     // the axis' spin is a guess: other ones may do better
+    double upper = infinity;  // a distance between points of the cores, radii left out, where one was taken
+    V3 point_a, v;            // those points: v leads from A's to B's
 
     V3 best_normal() const { return axis.normal == V3{} ? normal : axis.normal; }
 };
@@ -64,7 +65,9 @@ public:
     /// Whether what is seen from afar is likely to be what meets: of a corner among many it is not.
     bool far_sighted() const { return method_ != Method::any; }
     /// The axis that the features last seen ask for now.
-    Sight follow(const Facing<Core>&) const;
+    Sight follow(const Facing<Core>&);
+    /// Those features where they were last seen or followed.
+    const Features& features() const { return features_; }
     /// Fills in the nearest points of those features.
     void land(const Facing<Core>&, Sight&) const;
 
@@ -82,6 +85,7 @@ private:
     Corners corners_;   // of the simplex last seen
     int box_index_ = 0; // the axis last seen
     V3 towards_;        // the normal last seen
+    Features features_; // unless glances tell them
 };
 
 /// Looks at a body and a plane or half-space, which takes no more than support points.
@@ -96,6 +100,7 @@ public:
     static Sight sight(const Facing<Border>& f, const Glance&) { return look(f); }
     static bool far_sighted() { return true; }
     static Sight follow(const Facing<Border>& f) { return look(f); }
+    static Features features() { return {{}, {Feature::Kind::face, {}}}; }
     static void land(const Facing<Border>&, const Sight&) {}
 };
 

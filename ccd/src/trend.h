@@ -2,6 +2,7 @@
 #pragma once
 
 #include "certificate.h"
+#include "falling.h"
 
 /// How bodies near each other, as far as two of their points tell: what times are guessed from. No bound
 /// rests on it.

@@ -14,10 +14,10 @@ namespace {
 /// cycling. Smooth shapes get nearer by a digit or more in a few rounds.
 constexpr int most_rounds = 128;
 
-Simplex::Corner corner_towards_origin(const Core& a, const Core& b, V3 v)
+void put_corner_towards_origin(Simplex::Corner& c, const Core& a, const Core& b, V3 v)
 {
     const SupportPoint on_a = farthest(a, v), on_b = farthest(b, -v);
-    return {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
+    c = {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
 }
 
 /// The different corners of one core that a simplex uses.
@@ -70,45 +70,46 @@ void confirm(Closest& c, const Core& a, const Core& b, V3 n, double slack)
 Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
 {
     Closest c;
-    c.simplex = start;
-    if (start.size == 0) c.simplex.add(corner_towards_origin(a, b, middle(b) - middle(a)));
-    c.simplex.reduce();
-    c.inside = c.simplex.size == 4;
-    c.v = c.simplex.nearest_point();
-    Simplex next = c.simplex;
+    Simplex& s = c.simplex;
+    s = start;
+    if (s.size == 0) put_corner_towards_origin(s.corners[s.size++], a, b, middle(b) - middle(a));
+    const Simplex::Needed at_first = s.nearest(Simplex::Origin::anywhere);
+    c.inside = at_first.count == 4;
+    if (!c.inside) c.v = s.nearest_point(at_first);
+    s.keep(at_first);
     for (int round = 0; round < most_rounds && !c.inside; ++round) {
         const double square = norm_squared(c.v), distance = std::sqrt(square);
         if (!(distance > near.slack)) break;
-        const Simplex::Corner corner = corner_towards_origin(a, b, c.v);
-        const double lower = dot(c.v, corner.w) / distance;
-        if (lower > c.lower) c.lower = lower, c.normal = (1 / distance) * c.v;
+        Simplex::Corner& corner = s.corners[s.size]; // counted as soon as it is needed
+        put_corner_towards_origin(corner, a, b, c.v);
+        const double inverse = 1 / distance, lower = inverse * dot(c.v, corner.w);
+        if (lower > c.lower) c.lower = lower, c.normal = inverse * c.v;
         if (distance - lower <= near.slack + near.relative * std::max(0.0, distance - near.reach)) {
-            c.certain = norm(c.simplex.point() - c.v) <= near.slack + near.relative * distance;
+            c.certain = norm(s.point() - c.v) <= near.slack + near.relative * distance;
             c.lower = lower;
-            c.normal = (1 / distance) * c.v;
-            c.point_a = c.simplex.on_a();
+            c.normal = inverse * c.v;
+            c.point_a = s.on_a();
             return c;
         }
-        if (c.simplex.contains(corner)) break;
-        next.add(corner);
-        if (lower > near.slack)
-            next.reduce_outside();
-        else
-            next.reduce();
-        if (next.size == 4) {
+        if (s.contains(corner)) break;
+        ++s.size;
+        const Simplex::Needed next =
+            s.nearest(lower > near.slack ? Simplex::Origin::outside : Simplex::Origin::anywhere);
+        const V3 v = next.count < 4 ? s.nearest_point(next) : V3{};
+        --s.size;
+        if (next.count == 4) { // v is left from the round before
+            c.point_a = s.on_a();
             c.inside = true;
-            break;
+            ++s.size;
+            s.keep(next);
+            return c;
         }
-        const V3 next_v = next.nearest_point();
-        if (!(norm_squared(next_v) < square)) break;
-        c.simplex = next;
-        c.v = next_v;
+        if (!(norm_squared(v) < square)) break;
+        s.keep(next);
+        c.v = v;
     }
-    c.point_a = c.simplex.on_a();
-    if (c.inside) // the tetrahedron, for what begins where this ends; v is left from the round before
-        c.simplex = next;
-    else
-        confirm(c, a, b, feature_normal(c.simplex, c.v), near.slack);
+    c.point_a = s.on_a();
+    if (!c.inside) confirm(c, a, b, feature_normal(s, c.v), near.slack);
     return c;
 }
 

@@ -7,6 +7,7 @@
 #include "validity.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -80,6 +81,8 @@ void place_corners(HullData& data, const std::vector<V3>& corners)
         high = most(high, corner);
         data.reach = std::max(data.reach, sum_of_magnitudes(corner));
     }
+    for (std::vector<double>* list : {&data.x, &data.y, &data.z})
+        list->resize((corners.size() + 3) / 4 * 4, std::numeric_limits<double>::quiet_NaN());
     data.middle = 0.5 * (low + high);
     for (const V3 corner : corners)
         data.ball = std::max(data.ball, norm(corner - data.middle));

@@ -12,7 +12,9 @@ namespace brink {
 /// the caller's lengths.
 struct HullData {
     std::vector<Vec3> vertices;
-    std::vector<double> x, y, z; // corners, one list for each coordinate, so that a scan is vectors' work
+    // Corners, one list for each coordinate, so that a scan is vectors' work; each filled up with NaN, which
+    // is never higher than another, to a multiple of four.
+    std::vector<double> x, y, z;
     double unit = 1;
     V3 middle;        // of a ball that holds all corners,
     double ball = 0;  // and its radius
@@ -26,7 +28,7 @@ struct HullData {
     // near side of all of them is proven to lie in the hull. Empty where none are known.
     std::vector<double> face_x, face_y, face_z, face_offset;
 
-    int count() const { return static_cast<int>(x.size()); }
+    int count() const { return static_cast<int>(vertices.size()); }
     V3 corner(int k) const
     {
         const auto i = static_cast<std::size_t>(k);

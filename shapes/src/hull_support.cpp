@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull_data.h"
 #include "lanes.h"
+#include "support.h"
 
 namespace brink {
 
 namespace {
 
 /// Up to so many corners looking at all of them is quicker than walking from one to the next.
-constexpr int most_scanned = 64;
+constexpr std::size_t most_scanned = 64;
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
@@ -22,69 +23,55 @@ struct Top {
     }
 };
 
-/// Of the corners looked at by four: each place among four with its own best, so that nothing waits for the
-/// step before.
-struct Tops {
-    Top even, odd;
-};
-
-Two heights(const HullData& h, V3 d, int k)
+/// The highest of four places among four, each with its own best, so that nothing waits for the step before.
+int highest(Top even, Top odd)
 {
-    return dot(XYZ<Two>{load_two(&h.x[at(k)]), load_two(&h.y[at(k)]), load_two(&h.z[at(k)])}, both(d));
+    const TwoFlags later = odd.height > even.height;
+    const Two height = select(later, odd.height, even.height),
+              corner = select(later, odd.corner, even.corner);
+    // No branch here: nobody can predict it.
+    return static_cast<int>(select(both(height[1]) > height, both(corner[1]), corner)[0]);
 }
 
-Tops by_two(const HullData& h, const V3& d)
+/// Of all corners.
+int scan(const HullData& h, V3 d)
 {
-    Tops t;
+    const auto heights = [&](std::size_t k) {
+        return dot(XYZ<Two>{load_two(&h.x[k]), load_two(&h.y[k]), load_two(&h.z[k])}, both(d));
+    };
+    Top even, odd;
     Two corners{0, 1};
-    for (int k = 0; k + 4 <= h.count(); k += 4) {
-        t.even.look(heights(h, d, k), corners);
-        t.odd.look(heights(h, d, k + 2), corners + both(2));
+    for (std::size_t k = 0; k < h.x.size(); k += 4) {
+        even.look(heights(k), corners);
+        odd.look(heights(k + 2), corners + both(2));
         corners = corners + both(4);
     }
-    return t;
+    return highest(even, odd);
 }
 
 #ifdef __x86_64__
-/// The same, bit for bit, in one wide register.
-[[gnu::target("avx2")]] Tops by_four(const HullData& h, const V3& d)
+/// All of farthest() in wide registers, with nothing called in between: the same, bit for bit.
+[[gnu::target("avx2")]] SupportPoint scanned_by_four(const Core& c, const V3& d)
 {
+    const HullData& h = *c.hull;
+    const V3 along = into(c.axes, d);
     const double *x = h.x.data(), *y = h.y.data(), *z = h.z.data();
-    const __m256d dx = _mm256_set1_pd(d.x), dy = _mm256_set1_pd(d.y), dz = _mm256_set1_pd(d.z);
+    const __m256d dx = _mm256_set1_pd(along.x), dy = _mm256_set1_pd(along.y), dz = _mm256_set1_pd(along.z);
     __m256d height = _mm256_set1_pd(-infinity), corner{}, corners{0, 1, 2, 3};
-    for (int k = 0; k + 4 <= h.count(); k += 4) {
+    for (std::size_t k = 0; k < h.x.size(); k += 4) {
         const __m256d other =
             _mm256_loadu_pd(x + k) * dx + _mm256_loadu_pd(y + k) * dy + _mm256_loadu_pd(z + k) * dz;
         corner = _mm256_blendv_pd(corner, corners, _mm256_cmp_pd(other, height, _CMP_GT_OQ));
         height = _mm256_max_pd(other, height);
         corners += 4;
     }
-    return {Top{_mm256_castpd256_pd128(height), _mm256_castpd256_pd128(corner)},
-            Top{_mm256_extractf128_pd(height, 1), _mm256_extractf128_pd(corner, 1)}};
+    const int k = highest({_mm256_castpd256_pd128(height), _mm256_castpd256_pd128(corner)},
+                          {_mm256_extractf128_pd(height, 1), _mm256_extractf128_pd(corner, 1)});
+    return {c.axes * h.corner(k) + c.centre, k};
 }
-bool has_four() { return __builtin_cpu_supports("avx2") != 0; }
-#else
-Tops by_four(const HullData& h, const V3& d) { return by_two(h, d); }
-bool has_four() { return false; }
 #endif
 
-/// Of all corners.
-int scan(const HullData& h, const V3& d)
-{
-    const int count = h.count();
-    auto [even, odd] = has_four() ? by_four(h, d) : by_two(h, d);
-    int k = count & ~3;
-    if (k + 2 <= count) even.look(heights(h, d, k), Two{0, 1} + both(k)), k += 2;
-    const TwoFlags later = odd.height > even.height;
-    const Two height = select(later, odd.height, even.height),
-              corner = select(later, odd.corner, even.corner);
-    const Two other = both(height[1]); // no branch here: nobody can predict it
-    const TwoFlags second = other > height;
-    const double highest = larger(other, height)[0];
-    const int best = static_cast<int>(select(second, both(corner[1]), corner)[0]);
-    if (k < count && dot(h.corner(k), d) > highest) return k;
-    return best;
-}
+bool is_scanned(const HullData& h) { return h.x.size() <= most_scanned || h.neighbours.empty(); }
 
 /// The highest of every so-manieth corner.
 int sample(const HullData& h, V3 d, int stride)
@@ -103,7 +90,7 @@ int sample(const HullData& h, V3 d, int stride)
 /// rounding lead round in a circle, it is a scan after all.
 int climb(const HullData& h, V3 d)
 {
-    int top = sample(h, d, h.count() / most_scanned);
+    int top = sample(h, d, h.count() / static_cast<int>(most_scanned));
     for (int step = 0; step < h.count(); ++step) {
         const V3 corner = h.corner(top);
         double highest = 0;
@@ -121,9 +108,21 @@ int climb(const HullData& h, V3 d)
 
 } // namespace
 
-int farthest(const HullData& h, V3 d)
+int farthest(const HullData& h, V3 d) { return is_scanned(h) ? scan(h, d) : climb(h, d); }
+
+/// Apart from what is usual, which then has nothing to save on its way in.
+[[gnu::noinline]] static SupportPoint farthest_one_by_one(const Core& c, const V3& d)
 {
-    return h.count() <= most_scanned || h.neighbours.empty() ? scan(h, d) : climb(h, d);
+    const int k = farthest(*c.hull, into(c.axes, d));
+    return {corner(c, k), k};
+}
+
+SupportPoint farthest_of_hull(const Core& c, const V3& d)
+{
+#ifdef __x86_64__
+    if (is_scanned(*c.hull) && __builtin_cpu_supports("avx2") != 0) return scanned_by_four(c, d);
+#endif
+    return farthest_one_by_one(c, d);
 }
 
 double depth(const HullData& h, V3 point)

@@ -139,7 +139,7 @@ void Chart::stand_on_ridge(V3 direction)
     for (const Corner& end : {crossing.behind, crossing.ahead}) {
         if (nearest_.contains(end) || nearest_.size == 4) continue;
         nearest_.add(end);
-        nearest_.reduce_outside(); // all lie in one plane, to rounding
+        nearest_.reduce(Simplex::Origin::outside); // all lie in one plane, to rounding
     }
 }
 

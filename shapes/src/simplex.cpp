@@ -12,30 +12,14 @@ namespace brink {
 namespace {
 
 using Corner = Simplex::Corner;
+using Needed = Simplex::Needed;
 
-/// Which corners the nearest point needs, a bit each, and their weights: 0 for the others.
-struct Weights {
-    unsigned used = 0;
-    double of[4] = {};
-};
-
-Weights single(int a)
-{
-    Weights w{1U << a};
-    w.of[a] = 1;
-    return w;
-}
+Needed single(int a) { return {1, {a}, {1}}; }
 
 /// The point of the edge between a and b at t of the way.
-Weights edge(int a, int b, double t)
-{
-    Weights w{1U << a | 1U << b};
-    w.of[a] = 1 - t;
-    w.of[b] = t;
-    return w;
-}
+Needed edge(int a, int b, double t) { return {2, {a, b}, {1 - t, t}}; }
 
-Weights nearest(const Corner* c, int a, int b)
+Needed nearest(const Corner* c, int a, int b)
 {
     const V3 e = c[b].w - c[a].w;
     const double past_a = -dot(c[a].w, e), before_b = dot(c[b].w, e);
@@ -45,7 +29,7 @@ Weights nearest(const Corner* c, int a, int b)
 }
 
 /// Ericson, Real-Time Collision Detection, 2005: the nearest point of a triangle by Voronoi regions.
-Weights nearest(const Corner* corners, int i, int j, int k)
+Needed nearest(const Corner* corners, int i, int j, int k)
 {
     const V3 a = corners[i].w, b = corners[j].w, c = corners[k].w;
     const V3 ab = b - a, ac = c - a;
@@ -68,59 +52,36 @@ Weights nearest(const Corner* corners, int i, int j, int k)
 
     const double sum = area_a + area_b + area_c;
     if (!(area_a > 0 && area_b > 0 && area_c > 0)) return single(i);
-    Weights w{1U << i | 1U << j | 1U << k};
-    w.of[i] = area_a / sum;
-    w.of[j] = area_b / sum;
-    w.of[k] = area_c / sum;
-    return w;
+    return {3, {i, j, k}, {area_a / sum, area_b / sum, area_c / sum}};
 }
 
-/// Whether the plane through a, b and c keeps the origin apart from d.
-bool separates(const Corner& a, const Corner& b, const Corner& c, const Corner& d)
+double square_at(const Corner* c, const Needed& n)
 {
-    const V3 n = cross(b.w - a.w, c.w - a.w);
-    return dot(n, d.w - a.w) * dot(n, a.w) >= 0;
-}
-
-double square_at(const Corner* c, const Weights& w)
-{
-    V3 p{};
-    for (int k = 0; k < 4; ++k)
-        if ((w.used >> k & 1U) != 0) p = p + w.of[k] * c[k].w;
+    V3 p = n.weight[0] * c[n.corner[0]].w;
+    for (int k = 1; k < n.count; ++k)
+        p = p + n.weight[k] * c[n.corner[k]].w;
     return norm_squared(p);
 }
 
-constexpr unsigned all_four = 15;
-
-/// The face opposite to the newest corner was the simplex before it: the origin lies on the newest's side of
-/// that. Of the other three, those that keep the origin apart, or simply all.
-template <class Apart> Weights nearest(const Corner* c, Apart apart)
+/// The face opposite to the newest corner, the last, was the simplex before it: the origin lies on the
+/// newest's side of that. Of the other three, those that keep the origin apart, or simply all.
+Needed nearest_of_four(const Corner* c, bool all)
 {
-    Weights best;
-    constexpr int faces[3][3] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-    constexpr int opposite[3] = {2, 0, 1};
-    for (int f = 0; f < 3; ++f) {
-        const int i = faces[f][0], j = faces[f][1], k = faces[f][2];
-        if (!apart(c[i], c[j], c[k], c[opposite[f]])) continue;
-        const Weights w = nearest(c, i, j, k);
-        if (best.used == 0 || square_at(c, w) < square_at(c, best)) best = w;
-    }
-    if (best.used == 0) best.used = all_four;
-    return best;
-}
-
-Weights nearest(const Simplex& s)
-{
-    switch (s.size) {
-    case 1:
-        return single(0);
-    case 2:
-        return nearest(s.corners, 0, 1);
-    case 3:
-        return nearest(s.corners, 0, 1, 2);
-    default:
-        return nearest(s.corners, separates);
-    }
+    const V3 top = c[3].w, a = c[0].w - top, b = c[1].w - top, d = c[2].w - top;
+    const V3 ab = cross(a, b), bd = cross(b, d), da = cross(d, a);
+    const double volume = dot(ab, d);
+    Needed best;
+    double least = infinity;
+    const auto attempt = [&](V3 normal, int i, int j) {
+        if (!all && !(dot(normal, top) * volume >= 0)) return;
+        const Needed n = nearest(c, i, j, 3);
+        const double square = square_at(c, n);
+        if (best.count == 0 || square < least) best = n, least = square;
+    };
+    attempt(ab, 0, 1);
+    attempt(bd, 1, 2);
+    attempt(da, 0, 2);
+    return best.count == 0 ? Needed{4, {0, 1, 2, 3}, {}} : best;
 }
 
 } // namespace
@@ -133,14 +94,35 @@ V3 Simplex::point() const
     return p;
 }
 
-V3 Simplex::nearest_point() const
+Simplex::Needed Simplex::nearest(Origin origin) const
 {
-    const V3 a = corners[0].w;
-    if (size == 2) return across(across(a, corners[1].w - a), corners[1].w - a);
-    if (size != 3) return point();
-    const V3 n = face_normal(a, corners[1].w, corners[2].w);
-    const double square = norm_squared(n);
-    return square > 0 ? (dot(n, a) / square) * n : point();
+    if (size == 1) return single(0);
+    if (size == 2) return brink::nearest(corners, 0, 1);
+    if (size == 3) return brink::nearest(corners, 0, 1, 2);
+    const Needed n = nearest_of_four(corners, false);
+    return n.count == 4 && origin == Origin::outside ? nearest_of_four(corners, true) : n;
+}
+
+V3 Simplex::nearest_point(const Needed& n) const
+{
+    const V3 a = corners[n.corner[0]].w;
+    if (n.count == 1) return a;
+    const V3 b = corners[n.corner[1]].w;
+    if (n.count == 2) return across(across(a, b - a), b - a);
+    const V3 c = corners[n.corner[2]].w;
+    const V3 normal = face_normal(a, b, c);
+    const double square = norm_squared(normal);
+    if (square > 0) return (dot(normal, a) / square) * normal;
+    return n.weight[0] * a + n.weight[1] * b + n.weight[2] * c;
+}
+
+void Simplex::keep(const Needed& n)
+{
+    size = n.count;
+    for (int k = 0; k < size; ++k) {
+        if (n.corner[k] != k) corners[k] = corners[n.corner[k]];
+        corners[k].weight = n.weight[k];
+    }
 }
 
 double Simplex::depth() const
@@ -169,23 +151,6 @@ bool Simplex::contains(const Corner& c) const
     for (int k = 0; k < size; ++k)
         if (corners[k].w == c.w && corners[k].in_a == c.in_a && corners[k].in_b == c.in_b) return true;
     return false;
-}
-
-void Simplex::reduce() { reduce(Origin::anywhere); }
-void Simplex::reduce_outside() { reduce(Origin::outside); }
-
-void Simplex::reduce(Origin origin)
-{
-    Weights w = nearest(*this);
-    if (w.used == all_four && origin == Origin::outside)
-        w = nearest(corners, [](const Corner&, const Corner&, const Corner&, const Corner&) { return true; });
-    int kept = 0;
-    for (int k = 0; k < size; ++k) {
-        if ((w.used >> k & 1U) == 0) continue;
-        if (kept != k) corners[kept] = corners[k];
-        corners[kept++].weight = w.of[k];
-    }
-    size = kept;
 }
 
 } // namespace brink

@@ -20,29 +20,36 @@ struct Simplex {
 
     Simplex() {} // NOLINT(modernize-use-equals-default): as in Core
 
+    /// Which corners a point of the hull needs, in their order, and their weights.
+    struct Needed {
+        int count = 0;
+        int corner[4] = {};
+        double weight[4] = {};
+    };
+    /// What is known about where the origin lies.
+    enum class Origin : unsigned char { anywhere, outside };
+
     /// The point that the weights stand for.
     [[nodiscard]] V3 point() const;
-    /// The same, after reduce(), but from the line or plane of its corners: true in direction where it is
-    /// short, while the rounding of the weights tilts point().
-    [[nodiscard]] V3 nearest_point() const;
     /// The same point of the hull as one of A.
     [[nodiscard]] V3 on_a() const;
     /// Whether this very point is among the corners.
     [[nodiscard]] bool contains(const Corner&) const;
     /// One corner more; fewer than four before.
     void add(const Corner& c) { corners[size++] = c; }
-    /// Finds the point nearest to the origin and leaves only the corners that it needs: four only where the
-    /// origin is inside. The last corner must be the newest one.
-    void reduce();
-    /// The same where the origin is known to be outside, whatever rounding makes of a flat simplex.
-    void reduce_outside();
+    /// What the point nearest to the origin needs: four only where the origin is inside. The last corner must
+    /// be the newest one. An origin known to be outside is so whatever rounding makes of a flat simplex.
+    [[nodiscard]] Needed nearest(Origin) const;
+    /// That point from the line or plane of its corners: true in direction where it is short, while the
+    /// rounding of the weights tilts it.
+    [[nodiscard]] V3 nearest_point(const Needed&) const;
+    /// Leaves only those corners.
+    void keep(const Needed&);
+    /// Both at once.
+    void reduce(Origin origin = Origin::anywhere) { keep(nearest(origin)); }
 
     /// How far inside the origin lies, at least, of four corners; negative outside. Rounding not taken off.
     [[nodiscard]] double depth() const;
-
-private:
-    enum class Origin : unsigned char { anywhere, outside };
-    void reduce(Origin);
 };
 
 } // namespace brink

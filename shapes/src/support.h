@@ -38,18 +38,14 @@ struct SupportPoint {
     int corner = -1;
 };
 
-/// A point of the core that lies farthest along d, of any length; any point where d is zero.
-static inline SupportPoint farthest(const Core& c, V3 d)
+SupportPoint farthest_of_hull(const Core&, const V3& d);
+
+static inline SupportPoint farthest_of_others(const Core& c, const V3& d)
 {
-    using enum Core::Kind;
-    if (c.kind == box) {
+    if (c.kind == Core::Kind::box) {
         const double x = dot(c.axes.x, d), y = dot(c.axes.y, d), z = dot(c.axes.z, d);
         const int k = static_cast<int>(x > 0) + 2 * static_cast<int>(y > 0) + 4 * static_cast<int>(z > 0);
         return {box_corner(c, k), k};
-    }
-    if (c.kind == hull) {
-        const int k = farthest(*c.hull, into(c.axes, d));
-        return {corner(c, k), k};
     }
     if (!is_polytope(c)) return {c.centre + c.axes * round_support(c, into(c.axes, d)), -1};
     int best = 0;
@@ -59,6 +55,12 @@ static inline SupportPoint farthest(const Core& c, V3 d)
         if (height > highest) highest = height, best = k;
     }
     return {c.points[best], best};
+}
+
+/// A point of the core that lies farthest along d, of any length; any point where d is zero.
+[[gnu::always_inline]] static inline SupportPoint farthest(const Core& c, const V3& d)
+{
+    return c.kind == Core::Kind::hull ? farthest_of_hull(c, d) : farthest_of_others(c, d);
 }
 
 /// The extent of a core along a direction.
@@ -72,7 +74,7 @@ static inline Interval interval(const Core& c, V3 d)
                              h.z * std::fabs(dot(c.axes.z, d));
         return {middle - reach, middle + reach};
     }
-    if (c.kind == hull) return {dot(farthest(c, -d).point, d), dot(farthest(c, d).point, d)};
+    if (c.kind == hull) return {dot(farthest_of_hull(c, -d).point, d), dot(farthest_of_hull(c, d).point, d)};
     if (!is_polytope(c)) {
         const double middle = dot(c.centre, d);
         const Interval i = round_interval(c, into(c.axes, d));
@@ -87,9 +89,9 @@ static inline Interval interval(const Core& c, V3 d)
 }
 
 /// The largest d . p over the points p of a core.
-static inline double highest(const Core& c, V3 d)
+[[gnu::always_inline]] static inline double highest(const Core& c, V3 d)
 {
-    if (c.kind == Core::Kind::hull) return dot(farthest(c, d).point, d);
+    if (c.kind == Core::Kind::hull) return dot(farthest_of_hull(c, d).point, d);
     return interval(c, d).high;
 }
 
