@@ -76,7 +76,7 @@ TEST_CASE("scene: a step like the one before allocates nothing")
             sum += static_cast<double>(scene.impacts().found.size());
             sum += scene.first_impact().toi.t;
             sum += static_cast<double>(scene.safe_times().size() + scene.candidates().size());
-            sum += static_cast<double>(scene.overlapping().size());
+            sum += static_cast<double>(scene.overlapping().found.size());
             scene.visit_impacts(visitor);
             sum += scene.cast(Sphere{0.1}, motions[i % 4].front()).toi.t;
             sum += scene.ray_cast({0, 0, 0}, {1, 2, 3}, 10).hit.t;
