@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Visits and budgets of casts, rays, overlaps and safe times; those of impacts are in scene_impacts_test.cpp.
+// Visits and budgets of every question.
 #include "random.h"
 #include "scene_brute.h"
 #include "scenes.h"
@@ -17,7 +17,11 @@ using support::SceneModel;
 namespace {
 
 bool before(BodyPair x, BodyPair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
-bool before(const Impact& x, const Impact& y) { return x.toi.t != y.toi.t ? x.toi.t < y.toi.t : x.b < y.b; }
+bool before(const Impact& x, const Impact& y)
+{
+    if (x.toi.t != y.toi.t) return x.toi.t < y.toi.t;
+    return x.a != y.a ? x.a < y.a : x.b < y.b;
+}
 bool before(const RayImpact& x, const RayImpact& y)
 {
     return x.hit.t != y.hit.t ? x.hit.t < y.hit.t : x.body < y.body;
@@ -105,6 +109,9 @@ TEST_CASE("scene: a visit tells what the whole answer holds, until it is to stop
         const SceneModel model = draw_model(name, 250, 101);
         Scene scene = support::scene_of(model);
         results += model.overlapping().size();
+        spent += check_visit(model.impacts(), [&](auto visitor, const SceneOptions& options) {
+            return scene.visit_impacts(visitor, options);
+        });
         spent += check_visit(model.overlapping(), [&](auto visitor, const SceneOptions& options) {
             return scene.visit_overlapping(visitor, options);
         });
