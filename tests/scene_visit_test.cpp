@@ -42,8 +42,8 @@ template <class Result> bool all_same(std::span<const Result> got, const std::ve
                       [](const Result& x, const Result& y) { return same(x, y); });
 }
 
-/// A visit held against what it is to tell, in order: whole, stopped, narrowed to the first, and with budgets.
-/// Returns how many budgets ran out.
+/// A visit held against what it is to tell, in order: whole, stopped, narrowed to the first, and with
+/// budgets. Returns how many budgets ran out.
 template <class Result, class Visit> int check_visit(const std::vector<Result>& want, const Visit& visit)
 {
     std::vector<Result> told;
@@ -226,14 +226,22 @@ TEST_CASE("scene: no visitor may change or ask the scene, whatever it is told of
     Scene scene;
     scene.add({Sphere{1}});
     scene.add({Sphere{1}});
-    const std::vector<std::function<void()>> acts{
-        [&] { scene.add({Sphere{1}}); },        [&] { scene.remove(0); },
-        [&] { scene.replace(1, {Sphere{2}}); }, [&] { scene.set_motion(1, {}); },
-        [&] { scene.sleep(1); },                [&] { scene.wake(1); },
-        [&] { scene.set_filter({}); },          [&] { scene.update(); },
-        [&] { scene.overlapping(); },           [&] { scene.safe_times(); },
-        [&] { scene.ray_cast({0, 0, 0}, {1, 0, 0}); }, [&] { scene.cast(Sphere{1}, {}); },
-        [&] { scene.candidates(); },            [&] { scene.first_impact(); }};
+    const std::vector<std::function<void()>> acts{[&] { scene.add({Sphere{1}}); },
+                                                  [&] { scene.remove(0); },
+                                                  [&] { scene.replace(1, {Sphere{2}}); },
+                                                  [&] { scene.set_motion(1, {}); },
+                                                  [&] { scene.sleep(1); },
+                                                  [&] { scene.wake(1); },
+                                                  [&] { scene.set_filter({}); },
+                                                  [&] { scene.update(); },
+                                                  [&] { scene.overlapping(); },
+                                                  [&] { scene.safe_times(); },
+                                                  [&] {
+                                                      scene.ray_cast({0, 0, 0}, {1, 0, 0});
+                                                  },
+                                                  [&] { scene.cast(Sphere{1}, {}); },
+                                                  [&] { scene.candidates(); },
+                                                  [&] { scene.first_impact(); }};
     for (std::size_t k = 0; k < acts.size(); ++k) {
         CAPTURE(k);
         const auto act = [&](const auto&) {

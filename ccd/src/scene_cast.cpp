@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The questions about one shape or ray that is no body of the scene.
-#include "met.h"
 #include "placed_shape.h"
+#include "scene_met.h"
 #include "sweep.h"
 #include "tolerance.h"
 #include "unbounded.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays against the bodies where they stand at the start.
-#include "met.h"
+#include "scene_met.h"
 #include "sweep.h"
 #include "tolerance.h"
 
