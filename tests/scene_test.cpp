@@ -5,9 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <limits>
-#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -30,6 +29,27 @@ void check_equal(Scene& scene, const SceneModel& model)
     REQUIRE(got.found.size() == want.size());
     for (std::size_t i = 0; i < want.size(); ++i)
         CHECK(same(got.found[i], want[i]));
+}
+
+/// Overlaps, casts and rays, and that safe times come to an end.
+void check_others(Scene& scene, const SceneModel& model, double scale)
+{
+    const std::vector<BodyPair> overlaps = model.overlapping();
+    const std::span<const BodyPair> found = scene.overlapping().found;
+    CHECK(std::equal(found.begin(), found.end(), overlaps.begin(), overlaps.end()));
+    Motion motion = model.bodies.front().motion;
+    motion.translation = scale * Vec3(4, 5, 6);
+    const std::vector<Impact> cast = model.cast(Sphere{scale}, motion, {});
+    const Impacts met = scene.cast_all(Sphere{scale}, motion);
+    CHECK(std::equal(met.found.begin(), met.found.end(), cast.begin(), cast.end(),
+                     [](const Impact& x, const Impact& y) { return same(x, y); }));
+    const std::vector<RayImpact> rays = model.rays(motion.start.position, motion.translation, 2, {});
+    const RayImpacts hit = scene.ray_cast_all(motion.start.position, motion.translation, 2);
+    CHECK(std::equal(
+        hit.found.begin(), hit.found.end(), rays.begin(), rays.end(),
+        [](const RayImpact& x, const RayImpact& y) { return x.body == y.body && x.hit.t == y.hit.t; }));
+    CHECK(cast.size() + rays.size() + overlaps.size() > 0);
+    CHECK(scene.safe_times().size() == model.count());
 }
 
 /// One change to the scene and the same to the model.
@@ -118,8 +138,33 @@ TEST_CASE("scene: bodies far away, tiny, huge or at one point are not lost")
             const std::vector<Impact> want = model.impacts();
             REQUIRE(!want.empty());
             CHECK(same(scene.first_impact(), want.front()));
+            check_others(scene, model, scale);
         }
     }
+}
+
+TEST_CASE("scene: bodies leave before they are first looked at, in any order, without being searched for" *
+          doctest::timeout(30))
+{
+    Scene many;
+    constexpr BodyId n = 400'000;
+    for (BodyId id = 0; id < n; ++id)
+        many.add({.shape = Sphere{1}, .asleep = id % 2 == 0});
+    for (BodyId id = 0; id < n; ++id)
+        many.remove(id);
+    CHECK(many.size() == 0);
+
+    SceneModel model = draw_model("asleep", 300, 23);
+    Scene scene = support::scene_of(model);
+    Random random(24);
+    for (int k = 0; k < 200; ++k) {
+        const auto id = static_cast<BodyId>(random.index(300));
+        if (!model.gone[id]) scene.remove(id);
+        model.gone[id] = true;
+    }
+    CHECK(scene.size() == model.count());
+    check_equal(scene, model);
+    CHECK(!model.impacts().empty());
 }
 
 TEST_CASE("scene: what is invalid is refused by name, and nothing changes")

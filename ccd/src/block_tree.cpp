@@ -75,17 +75,25 @@ void BlockTree::bound(std::span<const BodyId> ids)
             if (slots[k] != no_slot) lowest = std::min(lowest, ids[slots[k]]);
         least[0][leaf] = lowest;
     });
-    for (int level = 1; level < height; ++level) {
-        const auto l = static_cast<std::size_t>(level);
+    for (std::size_t l = 1; l < static_cast<std::size_t>(height); ++l) {
+        const std::vector<BodyId>& below = least[l - 1];
+        for (std::size_t block = 0; block < least[l].size(); ++block) {
+            const auto first = below.begin() + static_cast<std::ptrdiff_t>(width * block);
+            const std::size_t held = std::min(width, below.size() - width * block);
+            least[l][block] = *std::min_element(first, first + static_cast<std::ptrdiff_t>(held));
+        }
+    }
+    refit();
+}
+
+void BlockTree::refit()
+{
+    for (std::size_t l = 1; l < static_cast<std::size_t>(height); ++l) {
         const std::vector<Boxes>& below = levels[l - 1];
         for_each_part(levels[l].size(), [&](std::size_t block) {
-            BodyId lowest = no_body;
             const std::size_t end = std::min(width * (block + 1), below.size());
-            for (std::size_t k = width * block; k < end; ++k) {
+            for (std::size_t k = width * block; k < end; ++k)
                 put(levels[l][block], static_cast<int>(k % width), bound_of(below[k]));
-                lowest = std::min(lowest, least[l - 1][k]);
-            }
-            least[l][block] = lowest;
         });
     }
 }

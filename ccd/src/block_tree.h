@@ -31,6 +31,8 @@ struct BlockTree {
     void erase(std::size_t place);
     /// The levels above the leaves, from the leaves. ids: by slot.
     void bound(std::span<const BodyId> ids);
+    /// The same after bodies have moved or left: the lowest ids may be of some that left.
+    void refit();
     Box3f bound_of_leaf(std::uint32_t leaf) const
     {
         if (height == 1) return bound_of(levels[0][leaf]);

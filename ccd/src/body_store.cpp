@@ -51,6 +51,7 @@ std::uint32_t BodyStore::add(const Body& body)
         free_slots.push_back(static_cast<std::uint32_t>(bodies.size() - 1));
     } else {
         bodies[free_slots.back()] = body;
+        reused = true;
     }
     const std::uint32_t slot = free_slots.back();
     free_slots.pop_back();

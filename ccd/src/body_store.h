@@ -14,6 +14,7 @@ struct BodyStore {
     std::vector<BodyId> ids;          // by slot; no_body where the slot is free
     std::vector<std::uint32_t> slots; // by id; no_slot where the body is gone
     std::vector<std::uint32_t> free_slots;
+    bool reused = false;                   // some slot has had more than one body: until then it is the id
     std::size_t picky = 0;                 // bodies whose mask leaves some group out
     std::size_t immovable = 0, asleep = 0; // bodies; who is both is immovable
 
@@ -26,6 +27,8 @@ struct BodyStore {
             __builtin_prefetch(at + i);
     }
     std::size_t count() const { return bodies.size() - free_slots.size(); }
+    /// Of the body in a slot. Does not ask memory for what is known without.
+    BodyId id(std::uint32_t of_slot) const { return reused ? ids[of_slot] : of_slot; }
     bool contains(BodyId) const;
     /// Throws std::invalid_argument where there is no such body.
     std::uint32_t slot(BodyId) const;

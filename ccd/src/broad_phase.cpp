@@ -50,22 +50,32 @@ void BroadPhase::add(std::uint32_t slot, const BodyStore& store)
         seats_[slot].home = Home::unbounded;
         return;
     }
-    seats_[slot].home = Home::joining;
-    (at_rest(body) ? new_resting_ : new_movers_).push_back(slot);
+    auto& joining = at_rest(body) ? new_resting_ : new_movers_;
+    joining.push_back(slot);
+    seats_[slot] = seat(joining.size() - 1, at_rest(body) ? Home::new_resting : Home::new_mover);
+}
+
+/// In its place comes the last.
+void BroadPhase::take_out(std::vector<std::uint32_t>& joining, std::size_t place)
+{
+    const Home home = seats_[joining.back()].home;
+    joining[place] = joining.back();
+    seats_[joining[place]] = seat(place, home);
+    joining.pop_back();
 }
 
 void BroadPhase::remove(std::uint32_t slot)
 {
-    const Home home = seats_[slot].home;
-    seats_[slot].home = Home::none;
-    if (home == Home::unbounded)
+    const Seat from = seats_[slot];
+    if (from.home == Home::unbounded)
         std::erase(unbounded, slot);
-    else if (home == Home::joining) {
-        std::erase(new_movers_, slot);
-        std::erase(new_resting_, slot);
-    } else {
-        tree(home).erase(seats_[slot].place);
-    }
+    else if (from.home == Home::new_mover)
+        take_out(new_movers_, from.place);
+    else if (from.home == Home::new_resting)
+        take_out(new_resting_, from.place);
+    else
+        tree(from.home).erase(from.place);
+    seats_[slot].home = Home::none;
 }
 
 void BroadPhase::moved(std::uint32_t slot, const BodyStore& store)
@@ -98,7 +108,7 @@ void BroadPhase::update(const BodyStore& store)
     settle(store);
     if (!new_movers_.empty() || sparse(movers)) return build(movers, Home::movers, new_movers_, store);
     if (!bounds_moved_) return;
-    movers.bound(store.ids);
+    movers.refit();
     bounds_moved_ = false;
     if (movers.spread() > come_apart * spread_when_built_) build(movers, Home::movers, new_movers_, store);
 }

@@ -12,9 +12,9 @@
 namespace brink {
 
 /// Where the broad phase keeps a body.
-enum class Home : unsigned char { none, joining, movers, resting, arrived, unbounded };
+enum class Home : unsigned char { none, new_mover, new_resting, movers, resting, arrived, unbounded };
 struct Seat {
-    std::uint32_t place : 28 = 0; // in its tree
+    std::uint32_t place : 28 = 0; // in its tree, or in the list of those that will join it
     Home home : 3 = Home::none;
     bool named : 1 = false; // by the change that is being made
 };
@@ -54,6 +54,7 @@ private:
     void build(BlockTree&, Home, std::vector<std::uint32_t>& joining, const BodyStore&);
     void rebuild_all(const BodyStore&);
     void settle(const BodyStore&);
+    void take_out(std::vector<std::uint32_t>& joining, std::size_t place);
     const BlockTree& tree(Home) const;
     BlockTree& tree(Home home) { return const_cast<BlockTree&>(std::as_const(*this).tree(home)); }
 

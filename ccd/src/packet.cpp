@@ -76,7 +76,7 @@ Settled settled(const Candidate& c, const BodyStore& store, const Plan& plan)
     if (at_rest(a) && at_rest(b)) return a.immovable && b.immovable ? Settled::immovable : Settled::asleep;
     if (!masks_meet(a.category, a.mask, b.category, b.mask)) return Settled::mask;
     if (plan.filter) {
-        const BodyId i = store.ids[c.a], k = store.ids[c.b];
+        const BodyId i = store.id(c.a), k = store.id(c.b);
         if (!(*plan.filter)(std::min(i, k), std::max(i, k))) return Settled::filter;
     }
     return Settled::no;

@@ -248,9 +248,9 @@ void Asking::write_ledger(const Plan& plan, const Asked& asked) const
 
 Impact ask(const BodyStore& store, std::uint32_t slot_a, std::uint32_t slot_b, const Options& options)
 {
-    if (store.ids[slot_b] < store.ids[slot_a]) std::swap(slot_a, slot_b);
+    if (store.id(slot_b) < store.id(slot_a)) std::swap(slot_a, slot_b);
     const Body &a = store.bodies[slot_a], &b = store.bodies[slot_b];
-    return {store.ids[slot_a], store.ids[slot_b],
+    return {store.id(slot_a), store.id(slot_b),
             time_of_impact(a.shape, a.motion, b.shape, b.motion, options)};
 }
 

@@ -3,6 +3,7 @@
 
 #include "search.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace brink {
@@ -61,6 +62,19 @@ private:
 /// time_of_impact of two bodies, the lower id first.
 Impact ask(const BodyStore&, std::uint32_t slot_a, std::uint32_t slot_b, const Options&);
 
+/// How many of a chunk's candidates may be asked.
+static inline std::size_t allowed(const Chunk& chunk, const SceneOptions& options)
+{
+    const std::size_t room = options.max_tests - std::min(options.max_tests, chunk.before);
+    return std::min(room, chunk.candidates.count);
+}
+
+/// Throws std::invalid_argument where there is none.
+template <class Visitor> void check_visitor(const Visitor& visitor)
+{
+    if (!visitor) throw std::invalid_argument("brink::Scene: a visit was given an empty visitor");
+}
+
 static inline bool in_contact(const Toi& toi)
 {
     return toi.status == Status::touching || toi.status == Status::hit || toi.status == Status::undecided;
@@ -70,6 +84,10 @@ static inline bool earlier(const Impact& x, const Impact& y)
 {
     if (x.toi.t != y.toi.t) return x.toi.t < y.toi.t;
     return x.a != y.a ? x.a < y.a : x.b < y.b;
+}
+static inline bool earlier(const RayImpact& x, const RayImpact& y)
+{
+    return x.hit.t != y.hit.t ? x.hit.t < y.hit.t : x.body < y.body;
 }
 
 /// data.impacts, ordered by (t, a, b).

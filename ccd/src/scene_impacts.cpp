@@ -10,13 +10,6 @@ namespace brink {
 
 namespace {
 
-/// How many of a chunk's candidates may be asked.
-std::size_t allowed(const Chunk& chunk, const SceneOptions& options)
-{
-    const std::size_t room = options.max_tests - std::min(options.max_tests, chunk.before);
-    return std::min(room, chunk.candidates.count);
-}
-
 /// A time before which none of a chunk's other candidates is in contact.
 double least_of_others(const Chunk& chunk, const SceneOptions& options)
 {
@@ -43,8 +36,8 @@ void ask_all(Chunk& chunk, const SceneData& data, const SceneOptions& options, c
 class Unasked {
 public:
     explicit Unasked(const SceneOptions& options) : options_(options) {}
-    double known_until() const { return std::min(least_, options_.pair.t_max); }
-    bool none() const { return least_ == infinity; }
+    /// Infinite where nothing is left.
+    double least() const { return least_; }
     bool take(const Chunk& chunk, Plan& plan)
     {
         exact_ += allowed(chunk, options_);
@@ -71,7 +64,7 @@ public:
         if (than.a == no_body && than.b == no_body) return true;
         const auto t = static_cast<double>(c.t);
         if (t != than.toi.t) return t < than.toi.t;
-        const BodyId a = data_.store.ids[c.a], b = data_.store.ids[c.b];
+        const BodyId a = data_.store.id(c.a), b = data_.store.id(c.b);
         return earlier({std::min(a, b), std::max(a, b), than.toi}, than);
     }
 
@@ -186,13 +179,13 @@ Impacts Scene::impacts(const SceneOptions& options)
             return unasked.take(chunk, plan);
         });
     asking.write_ledger(plan, {unasked.exact(), 0});
-    return {in_order(data), unasked.known_until(), unasked.none()};
+    return {in_order(data), std::min(unasked.least(), options.pair.t_max), unasked.least() == infinity};
 }
 
-void Scene::visit_impacts(const Visitor& visitor, const SceneOptions& options)
+double Scene::visit_impacts(const Visitor& visitor, const SceneOptions& options)
 {
     check(options);
-    if (!visitor) throw std::invalid_argument("brink::Scene: visit_impacts was given an empty visitor");
+    check_visitor(visitor);
     SceneData& data = *data_;
     const Asking asking(data);
     Plan plan = asking.plan(options);
@@ -211,6 +204,7 @@ void Scene::visit_impacts(const Visitor& visitor, const SceneOptions& options)
             return more;
         });
     asking.write_ledger(plan, {unasked.exact(), 0});
+    return unasked.least();
 }
 
 } // namespace brink

@@ -13,50 +13,73 @@ namespace {
 
 BodyPair pair_of(const BodyStore& store, const Candidate& c)
 {
-    const BodyId a = store.ids[c.a], b = store.ids[c.b];
+    const BodyId a = store.id(c.a), b = store.id(c.b);
     const BodyId swap = (a ^ b) & (0U - static_cast<BodyId>(b < a)); // a branch would be guessed wrong
     return {a ^ swap, b ^ swap};
 }
 
-} // namespace
+/// Leaves in a chunk those of its candidates that overlap.
+void keep_overlapping(Chunk& chunk, const BodyStore& store, const SceneOptions& options, const Plan& plan)
+{
+    Candidates& all = chunk.candidates;
+    chunk.asked = allowed(chunk, options);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < chunk.asked; ++i) {
+        const Candidate c = all[i];
+        const bool in_order = store.id(c.a) < store.id(c.b);
+        const Body &a = store.bodies[in_order ? c.a : c.b], &b = store.bodies[in_order ? c.b : c.a];
+        if (!overlaps(a.shape, a.motion.start, b.shape, b.motion.start)) continue;
+        if (plan.without.bits == 0 || meets(c, store, plan)) all.set(kept++, c);
+    }
+    chunk.left = all.count - chunk.asked;
+    all.count = kept;
+}
 
-std::span<const BodyPair> Scene::overlapping(const SceneOptions& options)
+/// Tells of the pairs that overlap at the start until it returns a negative number; returns 0 where some
+/// were left undecided, infinity where none was.
+template <class Tell> double find_overlapping(SceneData& data, const SceneOptions& options, Tell tell)
 {
     check(options);
-    SceneData& data = *data_;
     const Asking asking(data);
     Plan plan = asking.plan(options);
     plan.grown = 0;
     plan.rules.grown = 0;
     if (plan.rules.late) plan.rules.until = 0;
     std::uint64_t exact = 0;
-    data.pairs.clear();
+    double open = infinity;
     data.search.run(
         data.store, data.broad, plan,
-        [&](Chunk& chunk) {
-            Candidates& all = chunk.candidates;
-            chunk.asked = all.count;
-            std::size_t kept = 0;
-            for (std::size_t i = 0; i < all.count; ++i) {
-                const Candidate c = all[i];
-                const bool in_order = data.store.ids[c.a] < data.store.ids[c.b];
-                const Body &a = data.store.bodies[in_order ? c.a : c.b],
-                           &b = data.store.bodies[in_order ? c.b : c.a];
-                if (!overlaps(a.shape, a.motion.start, b.shape, b.motion.start)) continue;
-                if (plan.without.bits == 0 || meets(c, data.store, plan)) all.set(kept++, c);
-            }
-            all.count = kept;
-        },
+        [&](Chunk& chunk) { keep_overlapping(chunk, data.store, options, plan); },
         [&](const Chunk& chunk) {
             exact += chunk.asked;
             for (std::size_t i = 0; i < chunk.candidates.count; ++i)
-                data.pairs.push_back(pair_of(data.store, chunk.candidates[i]));
-            return true;
+                if (!(tell(pair_of(data.store, chunk.candidates[i])) >= 0)) return false;
+            if (chunk.left > 0) open = 0;
+            return open > 0;
         });
     asking.write_ledger(plan, {exact, 0});
-    std::sort(data.pairs.begin(), data.pairs.end(),
+    return open;
+}
+
+} // namespace
+
+Overlaps Scene::overlapping(const SceneOptions& options)
+{
+    std::vector<BodyPair>& found = data_->pairs;
+    found.clear();
+    const double open = find_overlapping(*data_, options, [&](BodyPair pair) {
+        found.push_back(pair);
+        return infinity;
+    });
+    std::sort(found.begin(), found.end(),
               [](BodyPair x, BodyPair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
-    return data.pairs;
+    return {found, open == infinity};
+}
+
+double Scene::visit_overlapping(const VisitorOf<BodyPair>& visitor, const SceneOptions& options)
+{
+    check_visitor(visitor);
+    return find_overlapping(*data_, options, std::cref(visitor));
 }
 
 std::span<const BodyPair> Scene::candidates(Bounds bounds)

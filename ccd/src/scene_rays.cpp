@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays against the bodies where they stand at the start.
-#include "packet.h"
-#include "scene_data.h"
+#include "scene_met.h"
 #include "sweep.h"
 #include "tolerance.h"
 
@@ -17,6 +16,17 @@ struct Ray {
     const Vec3& direction;
     double t_max;
     const SceneOptions& options;
+
+    RayImpact ask(const BodyStore& store, std::uint32_t slot) const
+    {
+        const Body& b = store.bodies[slot];
+        return {store.id(slot), ray_cast(origin, direction, b.shape, b.motion.start, t_max)};
+    }
+    static bool met(const RayImpact& r)
+    {
+        return r.hit.status == Status::hit || r.hit.status == Status::touching;
+    }
+    static double begins(const RayImpact& r) { return r.hit.t; }
 };
 
 /// As many lengths of `direction` as it takes to leave all trees behind, at most t_max: bounds in floats need
@@ -38,16 +48,8 @@ double leaving(const Ray& ray, const BroadPhase& broad)
     return longest > 0 ? std::min(ray.t_max, 2 * far / longest) : 0;
 }
 
-bool is_hit(const RayHit& hit) { return hit.status == Status::hit || hit.status == Status::touching; }
-bool earlier(const RayImpact& x, const RayImpact& y)
-{
-    return x.hit.t != y.hit.t ? x.hit.t < y.hit.t : x.body < y.body;
-}
-
-enum class Wanted : unsigned char { first, all };
-
-/// Puts what the ray meets into data.rays: all, or only the first of them.
-void cast_ray(SceneData& data, const Ray& ray, Wanted wanted)
+/// Tells of what a ray meets; returns a t before which it meets nothing that was not asked about.
+template <class Tell> double cast(SceneData& data, const Ray& ray, Tell tell)
 {
     const Asking asking(data);
     Plan plan = asking.plan(ray.options);
@@ -65,40 +67,30 @@ void cast_ray(SceneData& data, const Ray& ray, Wanted wanted)
     const Packet packet = packet_of(sweep({Sphere{0}, along}, data.broad.origin), plan);
     plan.alone = &packet;
 
-    data.rays.clear();
-    Asked asked;
-    const auto look = [&](const Candidate& c) {
-        const bool known = wanted == Wanted::first && !data.rays.empty();
-        if (known && static_cast<double>(c.t) * end > data.rays.front().hit.t) {
-            ++asked.late;
-            return;
-        }
-        ++asked.exact;
-        const Body& b = data.store.bodies[c.b];
-        const RayImpact r{data.store.ids[c.b],
-                          ray_cast(ray.origin, ray.direction, b.shape, b.motion.start, ray.t_max)};
-        if (!is_hit(r.hit) || !(plan.without.bits == 0 || meets(c, data.store, plan))) return;
-        if (!known)
-            data.rays.push_back(r);
-        else if (earlier(r, data.rays.front()))
-            data.rays.front() = r;
-    };
+    Met met(data.store, plan, ray, tell);
     data.search.run(
         data.store, data.broad, plan, [](Chunk&) {},
         [&](Chunk& chunk) {
             for (const Candidate& c : by_time(chunk, chunk.candidates.count))
-                look(c);
-            return true;
+                met.look(c.b, static_cast<double>(c.t) * end);
+            return met.until() >= 0;
         });
     for (const std::uint32_t slot : data.broad.unbounded) {
-        const Candidate c{no_slot, slot, 0};
         ++data.search.counts.met;
-        if (plan.without.has(Layer::mask) || meets(c, data.store, plan))
-            look(c);
+        if (plan.without.has(Layer::mask) || meets({no_slot, slot, 0}, data.store, plan))
+            met.look(slot, 0);
         else
             ++data.search.masked;
     }
-    asking.write_ledger(plan, asked);
+    asking.write_ledger(plan, met.asked());
+    return met.least_open();
+}
+
+Ray checked(const Vec3& origin, const Vec3& direction, double t_max, const SceneOptions& options)
+{
+    check(options);
+    check_ray(origin, direction, t_max);
+    return {origin, direction, t_max, options};
 }
 
 } // namespace
@@ -106,25 +98,35 @@ void cast_ray(SceneData& data, const Ray& ray, Wanted wanted)
 RayImpact Scene::ray_cast(const Vec3& origin, const Vec3& direction, double t_max,
                           const SceneOptions& options)
 {
-    check(options);
-    check_ray(origin, direction, t_max);
-    cast_ray(*data_, {origin, direction, t_max, options}, Wanted::first);
-    if (!data_->rays.empty()) return data_->rays.front();
+    const Ray ray = checked(origin, direction, t_max, options);
+    std::vector<RayImpact>& found = data_->rays;
+    found.clear();
+    const double open = brink::cast(*data_, ray, keep_first(found, Ray::begins));
+    if (!found.empty() && found.front().hit.t <= open) return found.front();
     RayImpact none;
-    none.hit.status = Status::separated;
-    none.hit.t = t_max;
+    none.hit.t = std::min(open, t_max);
+    none.hit.status = open < infinity ? Status::undecided : Status::separated;
     return none;
 }
 
-std::span<const RayImpact> Scene::ray_cast_all(const Vec3& origin, const Vec3& direction, double t_max,
-                                               const SceneOptions& options)
+RayImpacts Scene::ray_cast_all(const Vec3& origin, const Vec3& direction, double t_max,
+                               const SceneOptions& options)
 {
-    check(options);
-    check_ray(origin, direction, t_max);
-    cast_ray(*data_, {origin, direction, t_max, options}, Wanted::all);
-    std::sort(data_->rays.begin(), data_->rays.end(),
+    const Ray ray = checked(origin, direction, t_max, options);
+    std::vector<RayImpact>& found = data_->rays;
+    found.clear();
+    const double open = brink::cast(*data_, ray, keep_all(found));
+    std::sort(found.begin(), found.end(),
               [](const RayImpact& x, const RayImpact& y) { return earlier(x, y); });
-    return data_->rays;
+    return {found, std::min(open, t_max), open == infinity};
+}
+
+double Scene::visit_ray(const Vec3& origin, const Vec3& direction, const VisitorOf<RayImpact>& visitor,
+                        double t_max, const SceneOptions& options)
+{
+    const Ray ray = checked(origin, direction, t_max, options);
+    check_visitor(visitor);
+    return brink::cast(*data_, ray, std::cref(visitor));
 }
 
 } // namespace brink

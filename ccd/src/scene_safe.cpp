@@ -51,7 +51,8 @@ public:
     }
 
     void find_first();
-    void let_all_halt();
+    /// Tells of each as it halts, until whoever listens wants to hear no more.
+    template <class Tell> void let_all_halt(Tell tell);
     std::uint64_t again() const { return again_; }
 
 private:
@@ -88,7 +89,7 @@ void Halts::find_first()
             for (std::size_t i = 0; i < chunk.candidates.count; ++i) {
                 const Candidate c = chunk.candidates[i];
                 const bool open = chunk.before + i >= options_.max_tests;
-                Impact impact{data_.store.ids[c.a], data_.store.ids[c.b], {}};
+                Impact impact{data_.store.id(c.a), data_.store.id(c.b), {}};
                 if (open) {
                     impact.toi.status = Status::undecided;
                     impact.toi.t = static_cast<double>(c.t);
@@ -109,10 +110,16 @@ void Halts::find_first()
     asking_.write_ledger(plan, {exact_, 0});
 }
 
-void Halts::let_all_halt()
+template <class Tell> void Halts::let_all_halt(Tell tell)
 {
+    double until = options_.pair.t_max;
+    const auto halt = [&](std::uint32_t slot, const Halt& at) {
+        data_.halted[slot] = at.t;
+        until = std::min(until, tell(SafeTime{data_.store.id(slot), std::min(at.t, options_.pair.t_max)}));
+    };
     while (!data_.halts.empty()) {
         const Halt first = data_.halts.front();
+        if (first.t > until) return;
         std::pop_heap(data_.halts.begin(), data_.halts.end(), later);
         data_.halts.pop_back();
         const std::uint32_t a = data_.store.slots[first.a], b = data_.store.slots[first.b];
@@ -122,8 +129,9 @@ void Halts::let_all_halt()
         };
         if (!as_told(a, first.a) || !as_told(b, first.b)) continue;
         const bool a_halts = moves(a), b_halts = moves(b);
-        if (a_halts) data_.halted[a] = first.t;
-        if (b_halts) data_.halted[b] = first.t;
+        if (a_halts) halt(a, first);
+        if (b_halts && until >= 0) halt(b, first);
+        if (until < 0) return;
         if (a_halts) look_again(a);
         if (b_halts) look_again(b);
     }
@@ -190,26 +198,36 @@ void Halts::ask_again(std::uint32_t halted, std::uint32_t other, const Motion& s
     push({t + toi.t * left * (1 - tolerance::quotient), low, high, i});
 }
 
-} // namespace
-
-std::span<const SafeTime> Scene::safe_times(const SceneOptions& options)
+template <class Tell> void find_safe_times(SceneData& data, const SceneOptions& options, Tell tell)
 {
     check(options);
-    SceneData& data = *data_;
     const Asking asking(data);
     Halts halts(data, options, asking);
     halts.find_first();
     const Ledger ledger = data.ledger;
-    halts.let_all_halt();
+    halts.let_all_halt(tell);
     data.ledger = ledger;
     data.ledger.again = halts.again();
+}
 
+} // namespace
+
+std::span<const SafeTime> Scene::safe_times(const SceneOptions& options)
+{
+    SceneData& data = *data_;
+    find_safe_times(data, options, [](const SafeTime&) { return infinity; });
     data.safe_times.clear();
     for (BodyId id = 0; id < data.store.slots.size(); ++id) {
         const std::uint32_t slot = data.store.slots[id];
         if (slot != no_slot) data.safe_times.push_back({id, std::min(data.halted[slot], options.pair.t_max)});
     }
     return data.safe_times;
+}
+
+void Scene::visit_safe_times(const VisitorOf<SafeTime>& visitor, const SceneOptions& options)
+{
+    check_visitor(visitor);
+    find_safe_times(*data_, options, std::cref(visitor));
 }
 
 } // namespace brink

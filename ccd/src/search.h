@@ -33,6 +33,7 @@ struct Chunk {
     std::vector<Candidate> by_time; // them, where the earliest is to be asked first
     std::vector<Impact> impacts;    // what was decided of them
     std::uint64_t asked = 0;        // how many were asked exactly
+    std::size_t left = 0;           // how many were left open
 };
 
 /// A chunk's first candidates in the order of their times.

@@ -29,10 +29,11 @@ struct Body {
 };
 
 struct SceneOptions {
-    Options pair{}; // what time_of_impact is asked for every pair
-    /// Pairs that may be decided exactly, of impacts, casts and safe times (overlaps and rays are asked in
-    /// full); of those beyond only their swept spheres are told, and the first impact need not be that of the
-    /// lowest ids of all at its time.
+    Options pair{}; // what time_of_impact is asked for every pair; of rays and overlaps nothing applies
+    /// Pairs that may be decided exactly. Of those beyond only their swept spheres are told, and every answer
+    /// says that it is not whole: by `complete`, by Status::undecided, by what a visit returns; a body that
+    /// might have to halt halts where the spheres meet. The first of several at the same time need not be
+    /// that of the lowest ids then.
     std::size_t max_tests = static_cast<std::size_t>(-1);
     /// Of a shape that is cast and of a ray; a body's own say all else.
     std::uint32_t category = 1, mask = 0xffffffff;
@@ -60,6 +61,12 @@ struct BodyPair {
     friend bool operator==(const BodyPair&, const BodyPair&) = default;
 };
 
+/// Ordered. Valid until the scene is next asked or changed.
+struct Overlaps {
+    std::span<const BodyPair> found;
+    bool complete = false; // every pair was decided
+};
+
 /// When a body has to halt.
 struct SafeTime {
     BodyId body = no_body;
@@ -69,6 +76,14 @@ struct SafeTime {
 struct RayImpact {
     BodyId body = no_body;
     RayHit hit{};
+};
+
+/// Ordered by (t, body). Valid until the scene is next asked or changed.
+struct RayImpacts {
+    std::span<const RayImpact> found;
+    /// The ray meets no body beyond those found before this; t_max unless max_tests ran out.
+    double known_until = 0;
+    bool complete = false; // every body was decided
 };
 
 /// What a broad phase goes by.
@@ -96,9 +111,12 @@ struct SceneData;
 /// as it was; changing or asking a scene from its own visitor or filter throws std::logic_error.
 class Scene {
 public:
-    /// Told of an impact; returns the time until which it wants to hear of more: what begins later is left
-    /// out. t_max changes nothing, a negative number ends the query.
-    using Visitor = std::function<double(const Impact&)>;
+    /// Told of one result after the other; returns the time until which it wants to hear of more: what begins
+    /// later is left out. t_max changes nothing, a negative number ends the query. No result is kept: a visit
+    /// takes bounded memory. It returns a time before which nothing begins that was left undecided because
+    /// max_tests ran out; infinity where that did not happen.
+    template <class Result> using VisitorOf = std::function<double(const Result&)>;
+    using Visitor = VisitorOf<Impact>;
     /// Whether two bodies, a < b, may meet at all. Called from several threads; must always answer the same.
     using PairFilter = std::function<bool(BodyId a, BodyId b)>;
 
@@ -138,32 +156,43 @@ public:
 
     /// The first impact of every pair that has one.
     Impacts impacts(const SceneOptions& = {});
-    /// The same one by one, in no particular order (but always the same), in bounded memory.
-    void visit_impacts(const Visitor&, const SceneOptions& = {});
+    /// The same one by one, in no particular order (but always the same).
+    double visit_impacts(const Visitor&, const SceneOptions& = {});
 
     /// For every body, by id: a time such that, when each follows its motion until then and stands still at
     /// Motion::at of it from then on, no two bodies overlap until t_max. A body halts where it first meets
     /// another, moving or halted. Bodies in contact at the start follow options.pair.start_contact. Unlike
     /// the other queries it says nothing closer than the rounding of Motion::at. Valid until the next query.
     std::span<const SafeTime> safe_times(const SceneOptions& = {});
+    /// The bodies that halt before t_max, as they do: by time. Those that were not told of may all move on
+    /// until the last that was; what max_tests leaves open halts too.
+    void visit_safe_times(const VisitorOf<SafeTime>&, const SceneOptions& = {});
 
     /// The first of the impacts that a moving shape would have as a body of the scene.
     Impact cast(const Shape&, const Motion&, const SceneOptions& = {});
     /// All of them.
     Impacts cast_all(const Shape&, const Motion&, const SceneOptions& = {});
+    /// The same one by one, in no particular order (but always the same).
+    double visit_cast(const Shape&, const Motion&, const Visitor&, const SceneOptions& = {});
 
-    /// The pairs that overlap at t = 0, ordered; touching is overlapping.
-    std::span<const BodyPair> overlapping(const SceneOptions& = {});
+    /// The pairs that overlap at t = 0; touching is overlapping.
+    Overlaps overlapping(const SceneOptions& = {});
+    /// The same one by one, in no particular order (but always the same). All begin at 0.
+    double visit_overlapping(const VisitorOf<BodyPair>&, const SceneOptions& = {});
     /// What a broad phase alone hands on, in no particular order (but always the same): the pairs whose
     /// bounds meet. Planes and half-spaces are told apart from others by the balls.
     std::span<const BodyPair> candidates(Bounds = Bounds::boxes);
 
     /// The first body at t = 0 that the ray meets (of equals the lowest id), t in lengths of `direction`;
-    /// hit.status is separated where there is none.
+    /// hit.status is separated where there is none; undecided, at a t before which it meets none, where
+    /// max_tests ran out.
     RayImpact ray_cast(const Vec3& origin, const Vec3& direction, double t_max = 1, const SceneOptions& = {});
-    /// All of them, ordered by (t, id).
-    std::span<const RayImpact> ray_cast_all(const Vec3& origin, const Vec3& direction, double t_max = 1,
-                                            const SceneOptions& = {});
+    /// All of them.
+    RayImpacts ray_cast_all(const Vec3& origin, const Vec3& direction, double t_max = 1,
+                            const SceneOptions& = {});
+    /// The same one by one, in no particular order (but always the same).
+    double visit_ray(const Vec3& origin, const Vec3& direction, const VisitorOf<RayImpact>&, double t_max = 1,
+                     const SceneOptions& = {});
 
     /// What the last query did.
     const Ledger& ledger() const;
