@@ -6,6 +6,7 @@
 #include "leap.h"
 #include "leave.h"
 #include "sight.h"
+#include "stride.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -56,6 +57,7 @@ private:
     Rolling rolling_;
     Trail trail_;
     bool first_ = true;
+    int strides_ = 0; // without a look
     std::optional<Leap> leap_;            // where steps lead to its start, what follows is proven
     const StartOracle* untold_ = nullptr; // of a start that no look has shown to be within the tolerance
 };
@@ -69,13 +71,12 @@ template <class Part> void Advance<Part>::look()
         rolling_.see(sight_.normal, course_.now());
 }
 
-/// On a long way corner by corner as well: a body may rock on one.
 template <class Part> Step Advance<Part>::best_step() const
 {
     const Step best = brink::best_step(course_.facing(), sight_, rolling_.spin, horizon());
     if (course_.iterations < tolerance::long_way) return best;
-    const Step rocking = step_by_corners(course_.facing(), sight_, horizon());
-    return rocking.length > best.length ? rocking : best;
+    const Step wide = stride(course_.facing(), sight_.best_normal(), horizon()).step;
+    return wide.length > best.length ? wide : best;
 }
 
 template <class Part> Separation Advance<Part>::measured()
@@ -88,7 +89,7 @@ template <class Part> Separation Advance<Part>::measured()
 template <class Part> bool Advance<Part>::coast(const Step& step)
 {
     AtHand axis{sight_.best_normal(), step.length};
-    for (int i = 0; i < tolerance::most_coasted; ++i) {
+    for (int i = 0; i < tolerance::most_coasted && strides_ < tolerance::most_strides; ++i, ++strides_) {
         const Facing<Part>& f = course_.facing();
         const TurningAxis followed = watch_.can_follow() ? watch_.follow(f).axis : rolling_.at(course_.now());
         axis = step_at_hand(f, axis, followed, horizon());

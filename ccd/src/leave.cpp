@@ -114,7 +114,8 @@ template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double
 {
     const double next = course_.now() + step;
     if (next > t_end || next >= course_.window.end) return course_.apart();
-    if (course_.iterations >= course_.options.max_iterations) return course_.answer(Status::undecided, now_);
+    if (course_.iterations >= course_.options.max_iterations) // within the tolerance, and apart until here
+        return course_.answer(apart_ ? Status::hit : Status::undecided, now_);
     course_.go(next);
     ++course_.iterations;
     now_ = course_.separated();

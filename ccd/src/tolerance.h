@@ -139,8 +139,24 @@ inline constexpr int long_way = 32;
 inline constexpr double worth_coasting = 0.1;
 inline constexpr int most_coasted = 64; // steps to a look
 
+inline constexpr int most_strides = 2048; // in all
+
 /// Up to so many corners are looked at one by one on such a way.
 inline constexpr int most_corners = 1024;
+
+/// So many axes are tried for a stride, tilted by up to the tangent of the angle. Likewise guesses.
+inline constexpr int most_tilts = 16;
+inline constexpr double widest_tilt = 2;
+
+/// Sine of the angle between two edges above which the axis across both is followed (a guess), and the rounding
+/// of heights along it, as a part of all lengths over that sine: products of three vectors, 12 u, and the
+/// points that they start from, 4 u.
+inline constexpr double skew = 1e-3;
+inline constexpr double edge_slack = 16 * unit_roundoff;
+
+/// The largest product of a vector in a plane with eight directions around it, times this, is no less than
+/// its length: 1 / cos(22.5 degrees), rounded up by far more than a few roundings.
+inline constexpr double ring_excess = 1.0824;
 
 /// How much of the time in which a deep contact could end is passed before it is looked at again.
 inline constexpr double watchful = 0.25;
