@@ -33,6 +33,7 @@ public:
     void describe(Toi& toi);
 
 private:
+    bool nearly() const { return sight_.upper - course_.radii <= course_.allowed(); }
     bool there() const { return sight_.upper - course_.radii <= course_.tolerance; }
     double horizon() const { return course_.window.end - course_.now(); }
     bool spent() const { return course_.iterations >= course_.options.max_iterations; }
@@ -147,7 +148,7 @@ template <class Part> Toi Advance<Part>::approach()
             if (there()) return arrived();
             step = best_step();
         }
-        if (!(step.gap > 0)) return course_.answer(Status::undecided, contact());
+        if (!(step.gap > 0)) return nearly() ? arrived() : course_.answer(Status::undecided, contact());
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
         if (leap_ && next >= leap_->from) return land();

@@ -27,25 +27,27 @@ public:
         V3 on_a, on_b; // the points that end it
     };
     /// Newton's method from outside: an h, as large as it finds it, up to which all are at `level` or above.
+    /// If it has not come there it is the chord's, which lies below a concave function.
     Last last(double level, double horizon) const
     {
         Lowest low = lowest(0);
         Last out{0, 0, low.on_a, low.on_b};
         if (!(low.line.value >= level)) return out;
+        const double spare = low.line.value - level;
         double x = horizon;
-        for (int i = 0; i < newton_rounds; ++i) {
+        for (int i = 0;; ++i) {
             low = lowest(x);
-            if (low.line.at(x) - 0.5 * low.bend * x * x >= level) {
-                out.h = x;
-                out.bend = low.bend;
-                return out;
-            }
+            out.bend = low.bend;
+            const double left = low.line.at(x) - 0.5 * low.bend * x * x - level;
+            if (left >= 0) out.h = x;
+            if (left >= 0) return out;
             out.on_a = low.on_a;
             out.on_b = low.on_b;
+            if (i == newton_rounds) out.h = x * (spare / (spare - left)) * tolerance::step_shrink;
+            if (i == newton_rounds) return out;
             const double above = std::max(0.0, low.line.value - level);
             x = std::min(x, falls(above, low.line.slope, low.bend) * tolerance::step_shrink);
         }
-        return out;
     }
 
 private:

@@ -24,6 +24,10 @@ inline constexpr double certificate_slack = 128 * unit_roundoff;
 /// goes the same way but each is of average size. It keeps promise 3 of a gap within 16 eps of the scale.
 inline constexpr double least_slack = 5 * unit_roundoff;
 
+/// Gaps that are told to be this part of the lengths of promise 3 count as there where nothing more is proven:
+/// three quarters of what it allows, which leaves the rest to their own rounding.
+inline constexpr double promised = 24 * unit_roundoff;
+
 /// The balls of the swept-sphere clip grow by this times (relative position + relative motion + radii): the
 /// quadratic's discriminant and root are those of a ball and a path that differ by a few roundings of these.
 inline constexpr double clip_slack = 64 * unit_roundoff;
