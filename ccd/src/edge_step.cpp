@@ -2,32 +2,12 @@
 #include "edge_step.h"
 
 #include "arches.h"
-#include "support.h"
+#include "flattest_edge.h"
 #include "tolerance.h"
 
 namespace brink {
 
 namespace {
-
-/// From the corner that lies farthest along an axis to another one, as flat as there is.
-struct Edge {
-    V3 top, along; // unit, or zero
-};
-
-Edge flattest(const Core& c, V3 axis)
-{
-    const V3 top = farthest(c, axis).point;
-    Edge edge{top, {}};
-    double least = infinity;
-    for (int k = 0; k < c.count; ++k) {
-        const V3 way = corner(c, k) - top;
-        const double length = norm(way), slope = std::fabs(dot(axis, way));
-        if (!(length > 0) || slope >= least * length) continue;
-        least = slope / length;
-        edge.along = (1 / length) * way;
-    }
-    return edge;
-}
 
 /// A body's corners x by their part of the gap, `across` . (along x (x - from)): both edges taken along by
 /// their bodies, the product turns with the difference of the rates.
@@ -64,22 +44,18 @@ private:
     V3 rate_;
 };
 
-bool has_edges(const Core& c) { return c.count > 1 && c.count <= tolerance::most_corners; }
-
 } // namespace
 
 Step edge_step(const Facing<Core>& f, V3 normal, double horizon)
 {
     if (!has_edges(f.a.part) || !has_edges(f.b.part)) return {};
-    const Edge a = flattest(f.a.part, normal), b = flattest(f.b.part, -normal);
+    const FlatEdge a = flattest_edge(f.a.part, normal), b = flattest_edge(f.b.part, -normal);
     const V3 product = cross(a.along, b.along);
     const double sine = norm(product);
     if (!(sine > tolerance::skew)) return {};
     const V3 e = a.along, g = ((dot(product, normal) < 0 ? -1 : 1) / sine) * b.along, m = cross(e, g);
-    // Where they are nearest.
-    const V3 between = b.top - a.top;
-    const V3 p = a.top + (dot(cross(between, b.along), product) / (sine * sine)) * e;
-    const V3 q = b.top + (dot(cross(between, a.along), product) / (sine * sine)) * b.along;
+    const auto [s, t] = nearest_places(a, b);
+    const V3 p = a.top + s * e, q = b.top + t * b.along;
     const V3 on_a = p - f.a.pivot, on_b = q - f.b.pivot, way = q - p;
     const double rates = f.a.angle + f.b.angle, stretch = norm(g);
     const V3 turning = cross(cross(f.a.rate, e), g) + cross(e, cross(f.b.rate, g));

@@ -5,6 +5,7 @@
 #include "persist.h"
 #include "support.h"
 #include "tolerance.h"
+#include "touching.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -73,6 +74,9 @@ bool parting(V3 normal, V3 velocity)
     return rate > tolerance::rate_slack * norm(velocity) || terms == V3{};
 }
 
+template <class Part>
+using TouchingOf = std::conditional_t<std::is_same_v<Part, Core>, Touching, TouchingBorder>;
+
 template <class Part> class Leaving {
 public:
     enum class Start : unsigned char { in_contact, near_contact };
@@ -90,6 +94,7 @@ private:
     double gap() const { return now_.gap - course_.options.target_gap; }
     double step_away() const;
     double step_in_contact() const;
+    double coast(double step, double t_end);
     std::optional<Toi> move(double step, double t_end);
     std::optional<Toi> beyond() const
     {
@@ -107,11 +112,13 @@ private:
     bool apart_; // has been beyond the target gap, as far as can be told
     Toi start_;
     bool blind_; // the way out of contact need not be proven
+    int strides_ = 0; // without an evaluation
 };
 
 /// Goes on by `step`, unless that passes `t_end` or the budget is spent.
 template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double t_end)
 {
+    if (course_.iterations >= tolerance::long_way && blind_ && !apart_) step = coast(step, t_end);
     const double next = course_.now() + step;
     if (next > t_end || next >= course_.window.end) return course_.apart();
     if (course_.iterations >= course_.options.max_iterations) // within the tolerance, and apart until here
@@ -120,6 +127,22 @@ template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double
     ++course_.iterations;
     now_ = course_.separated();
     return {};
+}
+
+/// On a long way in contact, goes on without evaluations, as often as what touches here proves to stay in
+/// contact; what it proves from where that leads.
+template <class Part> double Leaving<Part>::coast(double step, double t_end)
+{
+    TouchingOf<Part> touching(course_.facing(), now_);
+    for (double last = step; strides_ < tolerance::most_strides; ++strides_) {
+        const double next = course_.now() + last;
+        if (next > t_end || next >= course_.window.end) return last;
+        touching.go(course_.facing(), course_.later(next));
+        course_.go(next);
+        last = touching.step(course_.facing(), course_.radii, course_.window.end - next);
+        if (!(last >= tolerance::worth_coasting * step)) return last;
+    }
+    return 0;
 }
 
 /// A step over which the gap provably does not fall below what it is, to a border on the way out of contact
