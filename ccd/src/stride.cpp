@@ -4,6 +4,7 @@
 #include "corner_step.h"
 #include "edge_step.h"
 #include "mover.h"
+#include "support.h"
 #include "tolerance.h"
 
 #include <algorithm>
@@ -107,15 +108,24 @@ Facing<Core> about_one_pivot(const Facing<Core>& f)
 
 class Striding {
 public:
-    Striding(const Facing<Core>& f, double horizon) : f_(f), horizon_(horizon) {}
+    Striding(const Facing<Core>& f, double horizon) : f_(f), horizon_(horizon)
+    {
+        if (is_polytope(f.a.part) && is_polytope(f.b.part)) patience_ = tolerance::idle_tilts;
+    }
     void tilt(V3 normal, V3 spin)
     {
         Choice choice(normal);
-        for (int i = 0; i < tolerance::most_tilts && !done(); ++i) {
+        double longest = 0;
+        int idle = 0; // tilts that have not led farther
+        for (int i = 0; i < tolerance::most_tilts && idle < patience_ && !done(); ++i, ++idle) {
             const V3 n = choice.midst();
             const double length = norm(n);
             const TurningAxis axis{(1 / length) * n, spin};
             const Blocked b = blocked_step(f_, axis, horizon_);
+            if (b.step.length > tolerance::farther * longest) {
+                longest = b.step.length;
+                idle = 0;
+            }
             take(axis, b.step);
             const V3 way = way_between(f_, b, spin);
             if (!choice.cut(way - f_.margin * axis.normal, dot(n, way) - f_.margin * length)) return;
@@ -134,6 +144,7 @@ private:
 
     const Facing<Core>& f_;
     double horizon_;
+    int patience_ = tolerance::most_tilts;
     Stride best_;
 };
 

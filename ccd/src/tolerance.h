@@ -151,6 +151,8 @@ inline constexpr int most_corners = 1024;
 /// So many axes are tried for a stride, tilted by up to the tangent of the angle. Likewise guesses.
 inline constexpr int most_tilts = 16;
 inline constexpr double widest_tilt = 2;
+inline constexpr int idle_tilts = 5;    // of polytopes, one after the other that lead no farther than
+inline constexpr double farther = 1.25; // times the longest so far
 
 /// Sine of the angle between two edges above which the axis across both is followed (a guess), and the rounding
 /// of heights along it, as a part of all lengths over that sine: products of three vectors, 12 u, and the
