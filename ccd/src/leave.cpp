@@ -2,7 +2,9 @@
 #include "leave.h"
 
 #include "contact_features.h"
+#include "corner_step.h"
 #include "persist.h"
+#include "stride.h"
 #include "support.h"
 #include "tolerance.h"
 #include "touching.h"
@@ -63,6 +65,19 @@ double rising(const Facing<Core>& f, V3 normal, double horizon)
 double rising(const Facing<Border>& f, V3 normal, double horizon)
 {
     return rising_step(f, TurningAxis{normal, f.b.rate}, horizon);
+}
+
+/// The same point by point, at rest and glued to either.
+double rising_by_corners(const Facing<Core>& f, V3 normal, double horizon)
+{
+    double h = corner_rise(f, TurningAxis{normal, {}}, horizon);
+    for (const V3 spin : {f.a.rate, f.b.rate})
+        if (!(spin == V3{})) h = std::max(h, corner_rise(f, TurningAxis{normal, spin}, horizon));
+    return h;
+}
+double rising_by_corners(const Facing<Border>& f, V3 normal, double horizon)
+{
+    return corner_rise(f, TurningAxis{normal, f.b.rate}, horizon);
 }
 
 /// Whether the gap is proven not to decrease as two bodies translate: its rate is more than rounding, or zero
@@ -146,7 +161,8 @@ template <class Part> double Leaving<Part>::coast(double step, double t_end)
 }
 
 /// A step over which the gap provably does not fall below what it is, to a border on the way out of contact
-/// not at any moment: 0 if none is proven that could be told from standing still. Between bodies, from deeper
+/// not at any moment, or once apart does not close: 0 if none is proven that could be told from standing
+/// still. Between bodies, from deeper
 /// down, it also ends at a part of what could bring the gap to the target, so that poses are looked at often
 /// enough to see it fall again.
 template <class Part> double Leaving<Part>::step_away() const
@@ -161,7 +177,11 @@ template <class Part> double Leaving<Part>::step_away() const
             return way >= least ? way : 0;
         }
     }
-    const double way = rising(course_.facing(), now_.normal, left);
+    const Facing<Part>& f = course_.facing();
+    double way = rising(f, now_.normal, left);
+    if (!(way >= least) || course_.iterations >= tolerance::long_way)
+        way = std::max(way, rising_by_corners(f, now_.normal, left));
+    if (!(way >= least) && apart_ && gap() > course_.slack) way = stride(f, now_.normal, left).step.length;
     if (!(way >= least)) return 0;
     return gap() < -course_.tolerance ? std::min(way, shallow) : way;
 }
