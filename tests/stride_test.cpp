@@ -78,7 +78,8 @@ TEST_CASE("corner_rise: a gap along an axis that does not fall, point by point")
 
 TEST_CASE("stride: a corner over an edge, a hair away, with room to turn to one side only")
 {
-    // The way between them is at right angles to a face of A already, which turns down: another axis is needed.
+    // The way between them is at right angles to a face of A already, which turns down: another axis is
+    // needed.
     Motion rocking;
     rocking.pivot = Vec3(-1, -1, -1);
     rocking.start.position = Vec3(1, 1, 1 + 1e-9);

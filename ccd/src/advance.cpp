@@ -58,7 +58,7 @@ private:
     Rolling rolling_;
     Trail trail_;
     bool first_ = true;
-    int strides_ = 0; // without a look
+    int strides_ = 0;                     // without a look
     std::optional<Leap> leap_;            // where steps lead to its start, what follows is proven
     const StartOracle* untold_ = nullptr; // of a start that no look has shown to be within the tolerance
 };

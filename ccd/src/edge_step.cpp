@@ -14,7 +14,10 @@ namespace {
 class Strands {
 public:
     Strands(const Posed<Core>& body, V3 from, V3 along, V3 across, V3 other_rate, double side)
-        : core_(body.part), from_(from), along_(along), turned_{across, cross(other_rate - body.rate, across)},
+        : core_(body.part),
+          from_(from),
+          along_(along),
+          turned_{across, cross(other_rate - body.rate, across)},
           side_(side)
     {
         const double other = norm(other_rate), both = body.angle + other;
@@ -65,7 +68,8 @@ Step edge_step(const Facing<Core>& f, V3 normal, double horizon)
     const double far = norm(way) + horizon * speed;
     const double bend = stretch * (speeding + rates * (2 * speed + rates * far)) +
                         f.margin * (rates * rates * stretch + norm_squared(turning));
-    const double rounding = tolerance::edge_slack * stretch * (norm(f.b.pivot) + norm(p) + norm(q) + f.a.reach + f.b.reach);
+    const double rounding =
+        tolerance::edge_slack * stretch * (norm(f.b.pivot) + norm(p) + norm(q) + f.a.reach + f.b.reach);
     const Line rest{dot(m, way) - f.margin - rounding,
                     dot(turning, way) + dot(m, parting) - f.margin * dot(m, turning)};
     const Strands of_a(f.a, p, e, g, f.b.rate, 1), of_b(f.b, q, -g, e, f.a.rate, -1);

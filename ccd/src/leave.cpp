@@ -126,7 +126,7 @@ private:
     Separation now_;
     bool apart_; // has been beyond the target gap, as far as can be told
     Toi start_;
-    bool blind_; // the way out of contact need not be proven
+    bool blind_;      // the way out of contact need not be proven
     int strides_ = 0; // without an evaluation
 };
 

@@ -61,9 +61,10 @@ double within(const Facing<Core>& f, V3 a, V3 b, double reach, double horizon)
 }
 
 /// As long as the balls about both pivots that lie inside the cores stay within reach of each other, however
-/// the bodies turn.
+/// the bodies turn. Not of hulls, whose depth has other last bits where the hull is scaled.
 double balls(const Facing<Core>& f, double reach, double horizon)
 {
+    if (f.a.part.kind == Core::Kind::hull || f.b.part.kind == Core::Kind::hull) return 0;
     const double inside_a = depth(f.a.part, f.a.pivot), inside_b = depth(f.b.part, f.b.pivot);
     if (!(inside_a >= 0 && inside_b >= 0)) return 0;
     const double radii = inside_a + inside_b + reach;

@@ -24,8 +24,8 @@ inline constexpr double certificate_slack = 128 * unit_roundoff;
 /// goes the same way but each is of average size. It keeps promise 3 of a gap within 16 eps of the scale.
 inline constexpr double least_slack = 5 * unit_roundoff;
 
-/// Gaps that are told to be this part of the lengths of promise 3 count as there where nothing more is proven:
-/// three quarters of what it allows, which leaves the rest to their own rounding.
+/// Gaps that are told to be this part of the lengths of promise 3 count as there where nothing more is
+/// proven: three quarters of what it allows, which leaves the rest to their own rounding.
 inline constexpr double promised = 24 * unit_roundoff;
 
 /// The balls of the swept-sphere clip grow by this times (relative position + relative motion + radii): the
@@ -154,9 +154,9 @@ inline constexpr double widest_tilt = 2;
 inline constexpr int idle_tilts = 5;    // of polytopes, one after the other that lead no farther than
 inline constexpr double farther = 1.25; // times the longest so far
 
-/// Sine of the angle between two edges above which the axis across both is followed (a guess), and the rounding
-/// of heights along it, as a part of all lengths over that sine: products of three vectors, 12 u, and the
-/// points that they start from, 4 u.
+/// Sine of the angle between two edges above which the axis across both is followed (a guess), and the
+/// rounding of heights along it, as a part of all lengths over that sine: products of three vectors, 12 u,
+/// and the points that they start from, 4 u.
 inline constexpr double skew = 1e-3;
 inline constexpr double edge_slack = 16 * unit_roundoff;
 

@@ -113,7 +113,8 @@ bool agrees(Trial& trial, const Toi& other, Real moved)
     if (toi.status == Status::undecided || other.status == Status::undecided) return true;
     const bool hits = toi.status == Status::hit && other.status == Status::hit;
     const Real doubt = trial.rounding() + moved;
-    if (hits && both_right(trial, std::min(toi.t, other.t), std::max(toi.t, other.t), band, doubt)) return true;
+    if (hits && both_right(trial, std::min(toi.t, other.t), std::max(toi.t, other.t), band, doubt))
+        return true;
     const Reference& ref = trial.referee();
     const Real target = trial.query().options.target_gap;
     if (ref.gave_up) return true;
