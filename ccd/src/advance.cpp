@@ -161,7 +161,6 @@ template <class Part> Toi Advance<Part>::approach()
     }
 }
 
-/// The same from where the way out of contact has ended.
 template <class Part> Toi Advance<Part>::approach_anew()
 {
     if (spent()) return course_.answer(Status::undecided, course_.separated());
