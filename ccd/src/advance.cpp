@@ -121,7 +121,6 @@ template <class Part> bool Advance<Part>::can_leap()
     return leap_ && course_.now() == leap_->at;
 }
 
-/// Where a leap leads.
 template <class Part> Toi Advance<Part>::land()
 {
     if (leap_->at > course_.options.t_max) return course_.apart();
