@@ -30,7 +30,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("step_by_corners: nothing opens into contact, the plane turns or not")
+TEST_CASE("step_at_hand: nothing opens into contact, the plane turns or not")
 {
     Random random(153);
     int certified = 0, of_planes = 0;
@@ -39,11 +39,11 @@ TEST_CASE("step_by_corners: nothing opens into contact, the plane turns or not")
         const Mover<Core> a = moving_core(random_shape(random, i % 8), motion_a);
         const double t = random.between(0, 0.9);
         const auto check = [&](const auto& scene, int& count) {
-            Sight seen;
-            seen.normal = scene.at(t).normal;
+            const Separation now = scene.at(t);
             const Moment s(scene, t);
-            const Step step = step_by_corners(s.facing(), seen, 1 - t);
-            if (!(step.gap > 1e-9)) return;
+            const auto f = s.facing();
+            const AtHand step = step_at_hand(f, {now.normal, 0.1}, {now.normal, f.b.rate}, 1 - t);
+            if (!(now.gap > 1e-9)) return;
             CAPTURE(i);
             CHECK(least_gap(scene, t, step.length) > -1e-12);
             ++count;

@@ -6,6 +6,7 @@
 #include "leap.h"
 #include "leave.h"
 #include "sight.h"
+#include "stride.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -32,6 +33,7 @@ public:
     void describe(Toi& toi);
 
 private:
+    bool nearly() const { return sight_.upper - course_.radii <= course_.allowed(); }
     bool there() const { return sight_.upper - course_.radii <= course_.tolerance; }
     double horizon() const { return course_.window.end - course_.now(); }
     bool spent() const { return course_.iterations >= course_.options.max_iterations; }
@@ -56,6 +58,7 @@ private:
     Rolling rolling_;
     Trail trail_;
     bool first_ = true;
+    int strides_ = 0;                     // without a look
     std::optional<Leap> leap_;            // where steps lead to its start, what follows is proven
     const StartOracle* untold_ = nullptr; // of a start that no look has shown to be within the tolerance
 };
@@ -69,13 +72,12 @@ template <class Part> void Advance<Part>::look()
         rolling_.see(sight_.normal, course_.now());
 }
 
-/// On a long way corner by corner as well: a body may rock on one.
 template <class Part> Step Advance<Part>::best_step() const
 {
     const Step best = brink::best_step(course_.facing(), sight_, rolling_.spin, horizon());
     if (course_.iterations < tolerance::long_way) return best;
-    const Step rocking = step_by_corners(course_.facing(), sight_, horizon());
-    return rocking.length > best.length ? rocking : best;
+    const Step wide = stride(course_.facing(), sight_.best_normal(), horizon()).step;
+    return wide.length > best.length ? wide : best;
 }
 
 template <class Part> Separation Advance<Part>::measured()
@@ -88,7 +90,7 @@ template <class Part> Separation Advance<Part>::measured()
 template <class Part> bool Advance<Part>::coast(const Step& step)
 {
     AtHand axis{sight_.best_normal(), step.length};
-    for (int i = 0; i < tolerance::most_coasted; ++i) {
+    for (int i = 0; i < tolerance::most_coasted && strides_ < tolerance::most_strides; ++i, ++strides_) {
         const Facing<Part>& f = course_.facing();
         const TurningAxis followed = watch_.can_follow() ? watch_.follow(f).axis : rolling_.at(course_.now());
         axis = step_at_hand(f, axis, followed, horizon());
@@ -119,7 +121,6 @@ template <class Part> bool Advance<Part>::can_leap()
     return leap_ && course_.now() == leap_->at;
 }
 
-/// Where a leap leads.
 template <class Part> Toi Advance<Part>::land()
 {
     if (leap_->at > course_.options.t_max) return course_.apart();
@@ -146,7 +147,7 @@ template <class Part> Toi Advance<Part>::approach()
             if (there()) return arrived();
             step = best_step();
         }
-        if (!(step.gap > 0)) return course_.answer(Status::undecided, contact());
+        if (!(step.gap > 0)) return nearly() ? arrived() : course_.answer(Status::undecided, contact());
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
         if (leap_ && next >= leap_->from) return land();
@@ -159,7 +160,6 @@ template <class Part> Toi Advance<Part>::approach()
     }
 }
 
-/// The same from where the way out of contact has ended.
 template <class Part> Toi Advance<Part>::approach_anew()
 {
     if (spent()) return course_.answer(Status::undecided, course_.separated());

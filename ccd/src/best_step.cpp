@@ -2,6 +2,7 @@
 #include "best_step.h"
 
 #include "corner_step.h"
+#include "stride.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -75,18 +76,6 @@ V3 gone_along(V3 normal, const Posed<Core>& body, double time)
 
 } // namespace
 
-template <class Part> Step step_by_corners(const Facing<Part>& f, const Sight& sight, double horizon)
-{
-    Step best = corner_step(f, TurningAxis{sight.best_normal(), f.b.rate}, horizon);
-    if constexpr (std::is_same_v<Part, Core>) { // a plane's axis goes with it
-        for (const V3 spin : {V3{}, f.a.rate}) {
-            const Step s = corner_step(f, TurningAxis{sight.best_normal(), spin}, horizon);
-            if (s.length > best.length) best = s;
-        }
-    }
-    return best;
-}
-
 template <class Part>
 AtHand step_at_hand(const Facing<Part>& f, const AtHand& served, const TurningAxis& followed, double horizon)
 {
@@ -101,6 +90,8 @@ AtHand step_at_hand(const Facing<Part>& f, const AtHand& served, const TurningAx
         attempt(gone_along(served.normal, f.b, served.length), f.b.rate);
         const V3 across = middle(f.b.part) - middle(f.a.part);
         if (norm(across) > 0) attempt((1 / norm(across)) * across, {});
+        const Stride tilted = stride(f, best.normal, horizon);
+        if (tilted.step.length > best.length) best = {tilted.axis.normal, tilted.step.length};
     }
     return best;
 }
@@ -109,8 +100,6 @@ template Step first_step(const Facing<Core>&, const Sight&, double);
 template Step first_step(const Facing<Border>&, const Sight&, double);
 template Step best_step(const Facing<Core>&, const Sight&, V3, double);
 template Step best_step(const Facing<Border>&, const Sight&, V3, double);
-template Step step_by_corners(const Facing<Core>&, const Sight&, double);
-template Step step_by_corners(const Facing<Border>&, const Sight&, double);
 template AtHand step_at_hand(const Facing<Core>&, const AtHand&, const TurningAxis&, double);
 template AtHand step_at_hand(const Facing<Border>&, const AtHand&, const TurningAxis&, double);
 

@@ -18,9 +18,6 @@ template <class Part> Step first_step(const Facing<Part>&, const Sight&, double 
 /// surfaces, as far as it is known.
 template <class Part> Step best_step(const Facing<Part>&, const Sight&, V3 rolling, double horizon);
 
-/// Corner by corner, along the axis that a look shows, at rest or glued to either body.
-template <class Part> Step step_by_corners(const Facing<Part>&, const Sight&, double horizon);
-
 /// How features fare that are followed from a look on.
 struct Trail {
     int followed = 0;           // axis steps since the look

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corner_step.h"
 
-#include "falling.h"
-#include "shadow.h"
+#include "arches.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -12,23 +11,57 @@ namespace brink {
 
 namespace {
 
-constexpr int newton_rounds = 16;
+/// The largest of some lengths across an axis, over the points of a body: `longest(p)` is no less than the
+/// distance of p from the line through the pivot, and the largest `height(p) + weight * longest(p)` is found.
+/// Of curved shapes the distance is told by a ring of directions, which make it too long by `ring_excess`.
+class Across {
+public:
+    Across(const Posed<Core>& body, V3 axis) : body_(body)
+    {
+        const V3 x = any_perpendicular(axis), y = cross(axis, x);
+        constexpr double c = 0.70710678118654757;
+        const V3 ring[4] = {x, c * (x + y), y, c * (y - x)};
+        for (int k = 0; k < 4; ++k)
+            ring_[k] = tolerance::ring_excess * ring[k];
+    }
+    double length(V3 from_pivot) const
+    {
+        double most = 0;
+        for (const V3 e : ring_)
+            most = std::max(most, std::fabs(dot(e, from_pivot)));
+        return most;
+    }
+    /// The point with the largest u . p + weight length(p - pivot).
+    V3 farthest(V3 u, double weight) const
+    {
+        V3 best;
+        double highest = -infinity;
+        for (const V3 e : ring_)
+            for (const double side : {-weight, weight}) {
+                const V3 d = u + side * e;
+                const V3 p = brink::farthest(body_.part, d).point;
+                const double height = dot(d, p - body_.pivot);
+                if (height > highest) highest = height, best = p;
+            }
+        return best;
+    }
 
-/// A height along the axis as a line in h, and what it may bend by: off by bend h^2 / 2 at most.
-struct Arc {
-    Line line;
-    double bend = 0;
+private:
+    const Posed<Core>& body_;
+    V3 ring_[4];
 };
 
-/// The corners of a body along an axis n + h shift, each with its own bend; of what has none, the whole.
+/// The points of a body along an axis n + h shift, each with its own bend; of what has too many or turns
+/// otherwise than the axis, the whole.
 class Arcs {
 public:
     Arcs(const Posed<Core>& body, const TurningAxis& axis, double side)
         : body_(body),
           apart_(body.rate - axis.spin),
           turned_{axis.normal, cross(axis.normal, apart_)},
-          still_(axis.spin == V3{}),
-          turn_(norm(cross(body.rate, axis.spin)) + norm_squared(apart_)),
+          twist_(norm(cross(body.rate, axis.spin))),
+          still_(axis.spin == V3{} || body.rate == V3{}),
+          apart_rate_(norm(apart_)),
           shift_(norm(turned_.shift)),
           side_(side)
     {
@@ -37,31 +70,46 @@ public:
     Arc extreme(double h) const
     {
         const Core& c = body_.part;
-        if (!is_polytope(c) || c.count > tolerance::most_corners)
-            return {Shadow(body_, turned_.axis, turned_.shift, side_).extreme(h), whole()};
+        if (is_polytope(c) && c.count <= tolerance::most_corners) return corner_at(h);
+        if (is_polytope(c) || !still_ || !(apart_rate_ > 0)) {
+            const V3 p = farthest(c, side_ * turned_.at(h)).point;
+            return {turned_.along(p, body_.pivot), whole(), p};
+        }
+        const Across across(body_, (1 / apart_rate_) * apart_);
+        const V3 p = across.farthest(side_ * turned_.at(h), 0.5 * h * h * shift_ * apart_rate_);
+        return {turned_.along(p, body_.pivot), shift_ * apart_rate_ * across.length(p - body_.pivot), p};
+    }
+
+private:
+    Arc corner_at(double h) const
+    {
+        const Core& c = body_.part;
         Arc best;
         double highest = -infinity;
         for (int k = 0; k < c.count; ++k) {
             const V3 p = corner(c, k);
-            const Arc arc{turned_.along(p, body_.pivot), bend(p - body_.pivot)};
+            const Arc arc{turned_.along(p, body_.pivot), bend(p - body_.pivot), p};
             const double height = side_ * arc.line.at(h) + 0.5 * arc.bend * h * h;
             if (height > highest) highest = height, best = arc;
         }
         return best;
     }
-
-private:
-    double whole() const { return body_.reach * (still_ ? shift_ * body_.angle : turn_); }
+    double whole() const
+    {
+        return body_.reach * (still_ ? shift_ * apart_rate_ : twist_ + apart_rate_ * apart_rate_);
+    }
     double bend(V3 from_pivot) const
     {
-        return still_ ? shift_ * norm(cross(body_.rate, from_pivot)) : norm(from_pivot) * turn_;
+        return still_ ? shift_ * norm(cross(apart_, from_pivot))
+                      : norm(from_pivot) * (twist_ + apart_rate_ * apart_rate_);
     }
 
     const Posed<Core>& body_;
     V3 apart_;
     Turned turned_;
-    bool still_;
-    double turn_, shift_, side_;
+    double twist_;
+    bool still_; // of body and axis one does not turn
+    double apart_rate_, shift_, side_;
 };
 
 /// A plane goes with its own normal.
@@ -71,7 +119,7 @@ public:
         : level_(body, axis.normal, {}, side)
     {
     }
-    Arc extreme(double) const { return {level_.now(), 0}; }
+    Arc extreme(double) const { return {level_.now(), 0, {}}; }
 
 private:
     Level level_;
@@ -79,38 +127,82 @@ private:
 
 template <class Part> using ArcsOf = std::conditional_t<std::is_same_v<Part, Core>, Arcs, Straight>;
 
+/// Does with the arches of an axis what is to be done.
+template <class Part, class Do>
+auto with_arches(const Facing<Part>& f, const TurningAxis& axis, double horizon, Do go)
+{
+    const V3 drift = cross(axis.spin, axis.normal);
+    const double spin = norm(axis.spin), turn = norm(drift), speed = norm(f.velocity);
+    const V3 apart = f.b.pivot - f.a.pivot;
+    const double far = std::max(norm(apart), norm(apart + horizon * f.velocity));
+    const Line rest{-f.margin, dot(axis.normal, f.velocity) + dot(drift, apart)};
+    const Arcs a(f.a, axis, 1);
+    const ArcsOf<Part> b(f.b, axis, -1);
+    return go(Arches(a, b, rest, spin * turn * far + 2 * turn * speed));
+}
+
+template <class Part> Blocked blocked(const Facing<Part>& f, const TurningAxis& axis, double horizon)
+{
+    return with_arches(f, axis, horizon, [&](const auto& arches) -> Blocked {
+        const double gap = arches.now();
+        const auto last = arches.last(0, horizon);
+        if (!(gap > 0)) return {{gap, 0, 0}, last.on_a, last.on_b};
+        return {{gap, last.h, last.bend * last.h * last.h}, last.on_a, last.on_b};
+    });
+}
+
+/// The highest that a point of a body comes along a unit vector from its pivot, however often it turns.
+double highest_on_circles(const Posed<Core>& body, V3 n)
+{
+    if (!(body.angle > 0)) return highest(body.part, n) - dot(n, body.pivot);
+    const V3 axis = (1 / body.angle) * body.rate;
+    const V3 along = dot(n, axis) * axis;
+    const double across = norm(cross(axis, n));
+    const Core& c = body.part;
+    double most = -infinity;
+    if (is_polytope(c)) {
+        for (int k = 0; k < c.count; ++k) {
+            const V3 p = corner(c, k) - body.pivot;
+            most = std::max(most, dot(along, p) + across * norm(cross(axis, p)));
+        }
+        return most;
+    }
+    const Across ring(body, axis);
+    const V3 p = ring.farthest(along, across) - body.pivot;
+    return dot(along, p) + across * ring.length(p);
+}
+
 } // namespace
 
 template <class Part> Step corner_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
-    const V3 drift = cross(axis.spin, axis.normal);
-    const double spin = norm(axis.spin), turn = norm(drift), speed = norm(f.velocity);
-    const double far = std::max(norm(f.b.pivot), norm(f.b.pivot + horizon * f.velocity));
-    const Arcs a(f.a, axis, 1);
-    const ArcsOf<Part> b(f.b, axis, -1);
-    const Line rest{-f.margin, dot(axis.normal, f.velocity) + dot(drift, f.b.pivot)};
-    const auto lowest = [&](double h) -> Arc {
-        const Arc on_a = a.extreme(h), on_b = b.extreme(h);
-        return {(on_b.line - on_a.line) + rest, spin * turn * far + 2 * turn * speed + on_a.bend + on_b.bend};
-    };
-    Arc arc = lowest(0);
-    Step step{arc.line.value, 0, 0};
-    if (!(step.gap > 0)) return step;
-    double x = horizon;
-    for (int i = 0; i < newton_rounds; ++i) {
-        arc = lowest(x);
-        const double left = arc.line.at(x) - 0.5 * arc.bend * x * x;
-        if (left >= 0) {
-            step.length = x;
-            step.residual = arc.bend * x * x;
-            return step;
-        }
-        x = std::min(x, falls(arc.line.value, arc.line.slope, arc.bend) * tolerance::step_shrink);
-    }
-    return step;
+    return blocked(f, axis, horizon).step;
+}
+
+Blocked blocked_step(const Facing<Core>& f, const TurningAxis& axis, double horizon)
+{
+    return blocked(f, axis, horizon);
+}
+
+Step whirl_step(const Facing<Core>& f, V3 normal, double horizon)
+{
+    const double gap = dot(normal, f.b.pivot - f.a.pivot) - f.margin - highest_on_circles(f.a, normal) -
+                       highest_on_circles(f.b, -normal);
+    if (!(gap > 0)) return {};
+    const double rate = dot(normal, f.velocity);
+    if (rate >= 0) return {gap, horizon, 0};
+    return {gap, std::min(horizon, gap / -rate * tolerance::step_shrink), 0};
+}
+
+template <class Part> double corner_rise(const Facing<Part>& f, const TurningAxis& axis, double horizon)
+{
+    return with_arches(f, axis, horizon,
+                       [&](const auto& arches) { return arches.last(arches.now(), horizon).h; });
 }
 
 template Step corner_step(const Facing<Core>&, const TurningAxis&, double);
 template Step corner_step(const Facing<Border>&, const TurningAxis&, double);
+template double corner_rise(const Facing<Core>&, const TurningAxis&, double);
+template double corner_rise(const Facing<Border>&, const TurningAxis&, double);
 
 } // namespace brink

@@ -66,6 +66,13 @@ template <class Part> Separation Course<Part>::separated(V3 axis) const
     return s;
 }
 
+template <class Part> double Course<Part>::allowed() const
+{
+    const double lengths = norm(b_.position - a_.position) + norm(facing_.velocity) + radii +
+                           (1 + a_.turn.angle) * a_.reach + (1 + b_.turn.angle) * b_.reach;
+    return std::max(tolerance, tolerance::promised * lengths);
+}
+
 template <class Part> Toi Course<Part>::answer(Status status, const Separation& s) const
 {
     Toi toi{.status = status, .t = t_, .iterations = iterations};

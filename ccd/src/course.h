@@ -38,6 +38,8 @@ public:
     Toi apart() const { return {.status = Status::separated, .t = options.t_max, .iterations = iterations}; }
     /// An answer at this time, with a contact as far as the caller wants one.
     Toi answer(Status, const Separation&) const;
+    /// A gap that counts as there if need be: within what promise 3 allows.
+    double allowed() const;
     /// Whether nothing that turns makes a difference.
     bool translates() const { return a_.turn.angle == 0 && b_.turn.angle == 0; }
 

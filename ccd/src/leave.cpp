@@ -2,9 +2,12 @@
 #include "leave.h"
 
 #include "contact_features.h"
+#include "corner_step.h"
 #include "persist.h"
+#include "stride.h"
 #include "support.h"
 #include "tolerance.h"
+#include "touching.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -64,6 +67,19 @@ double rising(const Facing<Border>& f, V3 normal, double horizon)
     return rising_step(f, TurningAxis{normal, f.b.rate}, horizon);
 }
 
+/// The same point by point, at rest and glued to either.
+double rising_by_corners(const Facing<Core>& f, V3 normal, double horizon)
+{
+    double h = corner_rise(f, TurningAxis{normal, {}}, horizon);
+    for (const V3 spin : {f.a.rate, f.b.rate})
+        if (!(spin == V3{})) h = std::max(h, corner_rise(f, TurningAxis{normal, spin}, horizon));
+    return h;
+}
+double rising_by_corners(const Facing<Border>& f, V3 normal, double horizon)
+{
+    return corner_rise(f, TurningAxis{normal, f.b.rate}, horizon);
+}
+
 /// Whether the gap is proven not to decrease as two bodies translate: its rate is more than rounding, or zero
 /// in every term.
 bool parting(V3 normal, V3 velocity)
@@ -72,6 +88,9 @@ bool parting(V3 normal, V3 velocity)
     const double rate = terms.x + terms.y + terms.z;
     return rate > tolerance::rate_slack * norm(velocity) || terms == V3{};
 }
+
+template <class Part>
+using TouchingOf = std::conditional_t<std::is_same_v<Part, Core>, Touching, TouchingBorder>;
 
 template <class Part> class Leaving {
 public:
@@ -90,6 +109,7 @@ private:
     double gap() const { return now_.gap - course_.options.target_gap; }
     double step_away() const;
     double step_in_contact() const;
+    double coast(double step, double t_end);
     std::optional<Toi> move(double step, double t_end);
     std::optional<Toi> beyond() const
     {
@@ -106,23 +126,43 @@ private:
     Separation now_;
     bool apart_; // has been beyond the target gap, as far as can be told
     Toi start_;
-    bool blind_; // the way out of contact need not be proven
+    bool blind_;      // the way out of contact need not be proven
+    int strides_ = 0; // without an evaluation
 };
 
 /// Goes on by `step`, unless that passes `t_end` or the budget is spent.
 template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double t_end)
 {
+    if (course_.iterations >= tolerance::long_way && blind_ && !apart_) step = coast(step, t_end);
     const double next = course_.now() + step;
     if (next > t_end || next >= course_.window.end) return course_.apart();
-    if (course_.iterations >= course_.options.max_iterations) return course_.answer(Status::undecided, now_);
+    if (course_.iterations >= course_.options.max_iterations) // within the tolerance, and apart until here
+        return course_.answer(apart_ ? Status::hit : Status::undecided, now_);
     course_.go(next);
     ++course_.iterations;
     now_ = course_.separated();
     return {};
 }
 
+/// On a long way in contact, goes on without evaluations, as often as what touches here proves to stay in
+/// contact; what it proves from where that leads.
+template <class Part> double Leaving<Part>::coast(double step, double t_end)
+{
+    TouchingOf<Part> touching(course_.facing(), now_);
+    for (double last = step; strides_ < tolerance::most_strides; ++strides_) {
+        const double next = course_.now() + last;
+        if (next > t_end || next >= course_.window.end) return last;
+        touching.go(course_.facing(), course_.later(next));
+        course_.go(next);
+        last = touching.step(course_.facing(), course_.radii, course_.window.end - next);
+        if (!(last >= tolerance::worth_coasting * step)) return last;
+    }
+    return 0;
+}
+
 /// A step over which the gap provably does not fall below what it is, to a border on the way out of contact
-/// not at any moment: 0 if none is proven that could be told from standing still. Between bodies, from deeper
+/// not at any moment, or once apart does not close: 0 if none is proven that could be told from standing
+/// still. Between bodies, from deeper
 /// down, it also ends at a part of what could bring the gap to the target, so that poses are looked at often
 /// enough to see it fall again.
 template <class Part> double Leaving<Part>::step_away() const
@@ -137,7 +177,11 @@ template <class Part> double Leaving<Part>::step_away() const
             return way >= least ? way : 0;
         }
     }
-    const double way = rising(course_.facing(), now_.normal, left);
+    const Facing<Part>& f = course_.facing();
+    double way = rising(f, now_.normal, left);
+    if (!(way >= least) || course_.iterations >= tolerance::long_way)
+        way = std::max(way, rising_by_corners(f, now_.normal, left));
+    if (!(way >= least) && apart_ && gap() > course_.slack) way = stride(f, now_.normal, left).step.length;
     if (!(way >= least)) return 0;
     return gap() < -course_.tolerance ? std::min(way, shallow) : way;
 }

@@ -60,6 +60,17 @@ double within(const Facing<Core>& f, V3 a, V3 b, double reach, double horizon)
                 horizon);
 }
 
+/// As long as the balls about both pivots that lie inside the cores stay within reach of each other, however
+/// the bodies turn. Not of hulls, whose depth has other last bits where the hull is scaled.
+double balls(const Facing<Core>& f, double reach, double horizon)
+{
+    if (f.a.part.kind == Core::Kind::hull || f.b.part.kind == Core::Kind::hull) return 0;
+    const double inside_a = depth(f.a.part, f.a.pivot), inside_b = depth(f.b.part, f.b.pivot);
+    if (!(inside_a >= 0 && inside_b >= 0)) return 0;
+    const double radii = inside_a + inside_b + reach;
+    return last([&](double h) { return radii - norm(f.b.pivot - f.a.pivot + h * f.velocity); }, horizon);
+}
+
 } // namespace
 
 double contact_step(const Facing<Core>& f, const Separation& contact, double reach, double horizon)
@@ -68,7 +79,7 @@ double contact_step(const Facing<Core>& f, const Separation& contact, double rea
     const V3 b = contact.point_b + f.b.part.radius * contact.normal;
     const double pair = within(f, a, b, reach, horizon);
     const double in_b = inside(f.a, f.b, -f.velocity, a, horizon);
-    return std::max({pair, in_b, inside(f.b, f.a, f.velocity, b, horizon)});
+    return std::max({pair, in_b, inside(f.b, f.a, f.velocity, b, horizon), balls(f, reach, horizon)});
 }
 
 double contact_step(const Facing<Border>& f, const Separation&, double reach, double horizon)

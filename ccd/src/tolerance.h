@@ -24,6 +24,10 @@ inline constexpr double certificate_slack = 128 * unit_roundoff;
 /// goes the same way but each is of average size. It keeps promise 3 of a gap within 16 eps of the scale.
 inline constexpr double least_slack = 5 * unit_roundoff;
 
+/// Gaps that are told to be this part of the lengths of promise 3 count as there where nothing more is
+/// proven: three quarters of what it allows, which leaves the rest to their own rounding.
+inline constexpr double promised = 24 * unit_roundoff;
+
 /// The balls of the swept-sphere clip grow by this times (relative position + relative motion + radii): the
 /// quadratic's discriminant and root are those of a ball and a path that differ by a few roundings of these.
 inline constexpr double clip_slack = 64 * unit_roundoff;
@@ -139,8 +143,26 @@ inline constexpr int long_way = 32;
 inline constexpr double worth_coasting = 0.1;
 inline constexpr int most_coasted = 64; // steps to a look
 
+inline constexpr int most_strides = 2048; // in all
+
 /// Up to so many corners are looked at one by one on such a way.
 inline constexpr int most_corners = 1024;
+
+/// So many axes are tried for a stride, tilted by up to the tangent of the angle. Likewise guesses.
+inline constexpr int most_tilts = 16;
+inline constexpr double widest_tilt = 2;
+inline constexpr int idle_tilts = 5;    // of polytopes, one after the other that lead no farther than
+inline constexpr double farther = 1.25; // times the longest so far
+
+/// Sine of the angle between two edges above which the axis across both is followed (a guess), and the
+/// rounding of heights along it, as a part of all lengths over that sine: products of three vectors, 12 u,
+/// and the points that they start from, 4 u.
+inline constexpr double skew = 1e-3;
+inline constexpr double edge_slack = 16 * unit_roundoff;
+
+/// The largest product of a vector in a plane with eight directions around it, times this, is no less than
+/// its length: 1 / cos(22.5 degrees), rounded up by far more than a few roundings.
+inline constexpr double ring_excess = 1.0824;
 
 /// How much of the time in which a deep contact could end is passed before it is looked at again.
 inline constexpr double watchful = 0.25;

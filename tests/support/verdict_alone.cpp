@@ -88,15 +88,36 @@ Findings judge_t_max(Trial& trial)
     return out;
 }
 
+/// Whether two hits are right together, without the reference: at the earlier one the shapes are within
+/// `band` of contact, and from there to the later one certified steps find them apart, but for `rounding`.
+bool both_right(Trial& trial, double earlier, double later, Real band, Real rounding)
+{
+    constexpr int most_steps = 64;
+    const Real target = trial.query().options.target_gap, level = target - rounding;
+    Real t = earlier;
+    for (int i = 0; i < most_steps; ++i) {
+        const Gap here = trial.motion().at(t);
+        if (!here.points_known || !(here.gap > level) || here.gap - target > band) return false;
+        if (t >= later) return true;
+        t += trial.motion().safe_step(t, here, level, later - t);
+    }
+    return false;
+}
+
 /// Whether another answer to the same question agrees, given rounding that moves gaps by `moved`.
 bool agrees(Trial& trial, const Toi& other, Real moved)
 {
     const Toi& toi = trial.toi();
     if (other.status == toi.status && std::abs(other.t - toi.t) <= 8 * eps * toi.t) return true;
+    const Real band = trial.band() + moved;
+    if (toi.status == Status::undecided || other.status == Status::undecided) return true;
+    const bool hits = toi.status == Status::hit && other.status == Status::hit;
+    const Real doubt = trial.rounding() + moved;
+    if (hits && both_right(trial, std::min(toi.t, other.t), std::max(toi.t, other.t), band, doubt))
+        return true;
     const Reference& ref = trial.referee();
     const Real target = trial.query().options.target_gap;
-    const Real band = trial.band() + moved;
-    if (toi.status == Status::undecided || other.status == Status::undecided || ref.gave_up) return true;
+    if (ref.gave_up) return true;
     // Within the band of contact at the start, either may call it contact, to be reported or ignored.
     const bool ignores_start = trial.query().options.start_contact != StartContact::report;
     const bool at_start = std::abs(ref.start_gap - target) <= 2 * band;
