@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "falling.h"
 #include "shadow.h"
 #include "tolerance.h"
 
