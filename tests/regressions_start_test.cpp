@@ -238,3 +238,35 @@ TEST_CASE("regression: a gap to a half-space that rises and falls while the cont
                Vec3(0, 0, 0), Vec3(0, 0, 0x1.cfdf1299d3df7p+1), Vec3(0, 0, 0)},
         Options{1, 0, 0x1.0624dd2f1a9fcp-10, StartContact::ignore_if_separating, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: a budget spent near contact is a hit, however far the query looks")
+{
+    // Were `separated` where t_max was the time of that hit.
+    check(Query{Box{Vec3(0x1.5dd178b57a47p-1, 0x1.fbbc30377cf3dp-1, 0x1.2b8fe3eadbe1cp-3)},
+                Motion{Pose{Vec3(0x1.ad3f18273cffep-2, -0x1.12f583dc5637dp-1, 0x1.74bd90c1d3c6dp-1),
+                            Quat(-0x1.ccee5ap-3, 0x1.952c46p-2, 0x1.86d6eep-1, -0x1.d55574p-2)},
+                       Vec3(-0x1.f922233359f59p-2, -0x1.b9d7bdbecbec6p-4, 0x1.31fbdbdb31a9ep+0),
+                       Vec3(0x1.9f98de66ae4dep-4, -0x1.24134f9ef5cc7p-1, -0x1.0a4b202a941fep+0),
+                       Vec3(-0x1.5dd178b57a47p-1, 0x1.47c4dc4602cc9p-2, 0x1.2b8fe3eadbe1cp-3)},
+                Hull::from_points(std::vector<Vec3>{
+                    Vec3(0x1.b9769d80aa572p-2, 0x1.e21784320badbp-5, -0x1.ccfdf6d7ca207p-1)}),
+                Motion{Pose{Vec3(0x1.a60ec14ed9514p-2, -0x1.733d19f0d38b8p-3, 0x1.cbb0fa13eb688p-2),
+                            Quat(0x1.6a09e667f3bcdp-1, -0x1.6a09e667f3bcdp-1, 0, 0)},
+                       Vec3(-0x1.f922b9c928e2dp-2, -0x1.ba16ffb72f5acp-4, 0x1.31f62f2f58d3ep+0),
+                       Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Options{1, 0, 0x1.a36e2eb1c432dp-14, StartContact::ignore, Detail::contact, 256}});
+    check(
+        Query{Plane{Vec3(0, -1, 0), -0x1.997c55fb065a4p-2},
+              Motion{Pose{Vec3(0x1.d80e07d1f0522p-1, -0x1.29b53d6750392p+0, 0x1.1e5ff047aca1ap+0),
+                          Quat(0x1.6a09e667f3bcdp-1, 0, 0, 0x1.6a09e667f3bcdp-1)},
+                     Vec3(-0x1.57f2cb0222c8fp+0, -0x1.b5f18b7928c5fp+0, 0x1.4567783152ba6p+0),
+                     Vec3(-0x1.0ead565288a6p-2, 0x1.16620916ee5fcp-1, 0x1.5ef9379530c47p-1),
+                     Vec3(0x1.1aa1d5bf9bd09p+0, 0x1.997c55fb065a4p-2, -0x1.6894dec627f73p+1)},
+              Cylinder{0x1.b42fd0f2ec45bp+0, 0x1.64447d1c90526p-25},
+              Motion{Pose{Vec3(-0x1.185ecba401b9p-2, -0x1.4ab9c118704cp-6, -0x1.89ec1ac49236p-3),
+                          Quat(0x1.f0c4f3e089624p-1, -0x1.200afbce5c532p-6, -0x1.ec1bce11740c8p-3,
+                               0x1.84a78d0cc9e82p-6)},
+                     Vec3(-0x1.57f2cb0222c8fp+0, -0x1.b5f18b7928c5fp+0, 0x1.4567783152ba6p+0), Vec3(0, 0, 0),
+                     Vec3(0x1.59d024c594856p-2, 0x1.1a76c7445080bp-1, -0x1.2cf5a9aa0f674p-3)},
+              Options{1, 0, 0x1.0c6f7a0b5ed8dp-20, StartContact::ignore, Detail::contact, 256}});
+}

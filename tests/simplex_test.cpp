@@ -207,7 +207,7 @@ TEST_CASE("simplex: told that the origin is outside, four corners never close ov
 {
     NastyCores draw(7);
     int closed = 0, apart = 0;
-    for (int i = 0; i < 120'000; ++i) {
+    for (int i = 0; i < 400'000; ++i) {
         const Simplex all = four_corners(draw);
         if (depth(all) > 0) continue;
         Simplex told = all, alone = all;

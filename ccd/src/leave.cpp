@@ -135,9 +135,10 @@ template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double
 {
     if (course_.iterations >= tolerance::long_way && blind_ && !apart_) step = coast(step, t_end);
     const double next = course_.now() + step;
-    if (next > t_end || next >= course_.window.end) return course_.apart();
-    if (course_.iterations >= course_.options.max_iterations) // within the tolerance, and apart until here
-        return course_.answer(apart_ ? Status::hit : Status::undecided, now_);
+    const bool spent = course_.iterations >= course_.options.max_iterations;
+    const bool ends_here = spent && apart_; // whatever t_end: within the tolerance, and apart until here
+    if (next >= course_.window.end || (next > t_end && !ends_here)) return course_.apart();
+    if (spent) return course_.answer(apart_ ? Status::hit : Status::undecided, now_);
     course_.go(next);
     ++course_.iterations;
     now_ = course_.separated();
@@ -162,9 +163,8 @@ template <class Part> double Leaving<Part>::coast(double step, double t_end)
 
 /// A step over which the gap provably does not fall below what it is, to a border on the way out of contact
 /// not at any moment, or once apart does not close: 0 if none is proven that could be told from standing
-/// still. Between bodies, from deeper
-/// down, it also ends at a part of what could bring the gap to the target, so that poses are looked at often
-/// enough to see it fall again.
+/// still. Between bodies, from deeper down, it also ends at a part of what could bring the gap to the target,
+/// so that poses are looked at often enough to see it fall again.
 template <class Part> double Leaving<Part>::step_away() const
 {
     const double shallow = tolerance::watchful * -gap() / course_.fastest,
