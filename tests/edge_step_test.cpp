@@ -61,6 +61,36 @@ TEST_CASE("edge_step: a bar that swings on its edge, a hair above another bar ac
     CHECK(time_of_impact(bar, swing, bar, still).status == Status::separated);
 }
 
+TEST_CASE("edge_step: bars that swing on the place where their edges cross, which alone bends nothing")
+{
+    constexpr double half = 0.70710678118654757; // of a diagonal of 2
+    Random random(182);
+    int certified = 0, partly = 0;
+    for (int i = 0; i < 4'000; ++i) {
+        const double hair = random.log_between(1e-8, 1e-4), across = random.between(0.5, 2.6);
+        Motion above, below;
+        above.start.orientation = Quat::FromTwoVectors(Vec3(0, -1, -1), Vec3(0, 0, -1));
+        above.start.position = Vec3(0, 0, 1 + hair);
+        above.pivot = Vec3(0, -half, -half);
+        above.rotation = random.in_cube(3);
+        below.start.orientation = Quat(Eigen::AngleAxisd(across, Vec3(0, 0, 1))) * above.start.orientation;
+        below.start.position = Vec3(0, 0, -1);
+        below.pivot = Vec3(0, half, half);
+        if (random.chance(0.7)) below.rotation = random.in_cube(3);
+        const double length = random.between(0.2, 3);
+        const TwoBodies<Core> scene{mover(Box{Vec3(length, half, half)}, above),
+                                    mover(Box{Vec3(length, half, half)}, below)};
+        const Step step = edge_step(Moment<Core>(scene, 0).facing(), {0, 0, -1}, 1);
+        if (!(step.gap > 0)) continue;
+        CAPTURE(i);
+        CHECK(least_gap(scene, 0, step.length) > -1e-12);
+        ++certified;
+        partly += step.length < 1;
+    }
+    CHECK(certified > 3'000);
+    CHECK(partly > 2'000);
+}
+
 TEST_CASE("edge_step: nothing of shapes without edges")
 {
     const TwoBodies<Core> scene{mover(Ellipsoid{Vec3(1, 1, 1)}, Motion{}),
