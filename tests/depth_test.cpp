@@ -90,7 +90,7 @@ TEST_CASE("depth: of hulls, no plane of three corners is nearer")
         }
         const Hull hull = Hull::from_points(points);
         const Core local = core(hull);
-        if (local.hull->face_offset.empty()) continue; // without Qhull
+        if (local.hull->faces.empty()) continue; // without Qhull
         ++known;
         const Quat turned = draw.random.rotation();
         const V3 at = load(Vec3(length * draw.random.in_cube(2)));

@@ -68,7 +68,7 @@ Core core(const Hull& hull)
     if (hull.data() == nullptr) return c;
     const HullData& data = *hull.data();
     const double unit = data.unit;
-    c.count = data.count();
+    c.count = data.count;
     if (c.count <= 3) {
         constexpr Core::Kind kinds[] = {Core::Kind::point, Core::Kind::segment, Core::Kind::triangle};
         c.kind = kinds[c.count - 1];

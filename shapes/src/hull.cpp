@@ -72,17 +72,20 @@ int unit_exponent(std::span<const Vec3> points)
 /// The corners in the hull's own unit of length, and what holds them.
 void place_corners(HullData& data, const std::vector<V3>& corners)
 {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr HullData::Corners nowhere{{nan, nan, nan, nan}, {nan, nan, nan, nan}, {nan, nan, nan, nan}};
     V3 low = corners[0], high = low;
     for (const V3 corner : corners) {
-        data.x.push_back(corner.x);
-        data.y.push_back(corner.y);
-        data.z.push_back(corner.z);
+        const auto i = static_cast<std::size_t>(data.count++ % 4);
+        if (i == 0) data.corners.push_back(nowhere);
+        HullData::Corners& four = data.corners.back();
+        four.x[i] = corner.x;
+        four.y[i] = corner.y;
+        four.z[i] = corner.z;
         low = least(low, corner);
         high = most(high, corner);
         data.reach = std::max(data.reach, sum_of_magnitudes(corner));
     }
-    for (std::vector<double>* list : {&data.x, &data.y, &data.z})
-        list->resize((corners.size() + 3) / 4 * 4, std::numeric_limits<double>::quiet_NaN());
     data.middle = 0.5 * (low + high);
     for (const V3 corner : corners)
         data.ball = std::max(data.ball, norm(corner - data.middle));
@@ -103,7 +106,7 @@ std::vector<bool> kept(const std::vector<V3>& points, const Surface& surface)
 /// Who is whose neighbour along the edges of a surface; `place` says where a point is among the corners.
 void connect(HullData& data, const Surface& surface, const std::vector<int>& place)
 {
-    std::vector<std::vector<int>> next(static_cast<std::size_t>(data.count()));
+    std::vector<std::vector<int>> next(static_cast<std::size_t>(data.count));
     for (const Corners& f : surface.faces())
         for (std::size_t k = 0; k < 3; ++k) {
             const int from = place[static_cast<std::size_t>(f[k])];
@@ -121,11 +124,15 @@ void connect(HullData& data, const Surface& surface, const std::vector<int>& pla
 void bound(HullData& data, const std::vector<V3>& points, const Surface& surface)
 {
     const auto at = [&](int k) { return points[static_cast<std::size_t>(k)]; };
+    std::size_t side = 0; // of the last two
     const auto add = [&](V3 normal, double offset) {
-        data.face_x.push_back(normal.x);
-        data.face_y.push_back(normal.y);
-        data.face_z.push_back(normal.z);
-        data.face_offset.push_back(offset);
+        if (side == 0) data.faces.push_back({{}, {}, {}, {infinity, infinity}});
+        HullData::Faces& two = data.faces.back();
+        two.x[side] = normal.x;
+        two.y[side] = normal.y;
+        two.z[side] = normal.z;
+        two.offset[side] = offset;
+        side = 1 - side;
     };
     for (const Corners& f : surface.faces()) {
         const V3 a = at(f[0]), e = at(f[1]) - a, g = at(f[2]) - a, n = cross(e, g);
@@ -134,7 +141,6 @@ void bound(HullData& data, const std::vector<V3>& points, const Surface& surface
         const V3 unit = flat ? V3{} : (1 / length) * n;
         add(unit, flat ? -infinity : dot(unit, a) - doubt / length);
     }
-    if (data.face_offset.size() % 2 != 0) add({}, infinity);
 }
 
 } // namespace

@@ -9,30 +9,40 @@ namespace brink {
 
 /// What copies of a Hull share. Its unit of length is the power of two in which the largest coordinate lies
 /// in [1, 2): products of directions and corners stay in range whatever the scale. The vertices alone are in
-/// the caller's lengths.
-struct HullData {
-    std::vector<Vec3> vertices;
-    // Corners, one list for each coordinate, so that a scan is vectors' work; each filled up with NaN, which
-    // is never higher than another, to a multiple of four.
-    std::vector<double> x, y, z;
+/// the caller's lengths. What a query reads lies side by side: among many hulls most of its time would be
+/// waiting for memory.
+struct alignas(64) HullData {
+    /// Four corners, a register for each coordinate; past the last one NaN, which is never higher than
+    /// another.
+    struct Corners {
+        double x[4], y[4], z[4];
+    };
+    /// Two planes x . (x, y, z) <= offset with unit normals.
+    struct Faces {
+        double x[2], y[2], z[2], offset[2];
+    };
+
     double unit = 1;
+    double reach = 0; // the largest sum of a corner's coordinates without their signs
     V3 middle;        // of a ball that holds all corners,
     double ball = 0;  // and its radius
-    double reach = 0; // the largest sum of a corner's coordinates without their signs
+    int count = 0;    // of the corners
+    std::vector<Corners> corners;
+    // What is on the near side of all of these is proven to lie in the hull. Empty where none are known; of
+    // an odd number the last plane is as far as can be.
+    std::vector<Faces> faces;
 
     // Only where the hull is proven to have these edges; else empty.
     std::vector<int> neighbours;      // of all corners, one after the other
     std::vector<int> first_neighbour; // where those of a corner begin; one more than there are corners
 
-    // Planes x . (face_x, face_y, face_z) <= face_offset, an even number, of unit normals: what is on the
-    // near side of all of them is proven to lie in the hull. Empty where none are known.
-    std::vector<double> face_x, face_y, face_z, face_offset;
+    std::vector<Vec3> vertices;
 
-    int count() const { return static_cast<int>(vertices.size()); }
     V3 corner(int k) const
     {
-        const auto i = static_cast<std::size_t>(k);
-        return {x[i], y[i], z[i]};
+        const Corners& four = corners[static_cast<std::size_t>(k) / 4];
+        const std::size_t i = static_cast<std::size_t>(k) % 4;
+        return {four.x[i], four.y[i], four.z[i]};
     }
 };
 

@@ -8,7 +8,7 @@ namespace brink {
 namespace {
 
 /// Up to so many corners looking at all of them is quicker than walking from one to the next.
-constexpr std::size_t most_scanned = 64;
+constexpr int most_scanned = 64;
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
@@ -36,14 +36,14 @@ int highest(Top even, Top odd)
 /// Of all corners.
 int scan(const HullData& h, V3 d)
 {
-    const auto heights = [&](std::size_t k) {
-        return dot(XYZ<Two>{load_two(&h.x[k]), load_two(&h.y[k]), load_two(&h.z[k])}, both(d));
+    const auto heights = [&](const HullData::Corners& four, std::size_t k) {
+        return dot(XYZ<Two>{load_two(&four.x[k]), load_two(&four.y[k]), load_two(&four.z[k])}, both(d));
     };
     Top even, odd;
     Two corners{0, 1};
-    for (std::size_t k = 0; k < h.x.size(); k += 4) {
-        even.look(heights(k), corners);
-        odd.look(heights(k + 2), corners + both(2));
+    for (const HullData::Corners& four : h.corners) {
+        even.look(heights(four, 0), corners);
+        odd.look(heights(four, 2), corners + both(2));
         corners = corners + both(4);
     }
     return highest(even, odd);
@@ -55,12 +55,11 @@ int scan(const HullData& h, V3 d)
 {
     const HullData& h = *c.hull;
     const V3 along = into(c.axes, d);
-    const double *x = h.x.data(), *y = h.y.data(), *z = h.z.data();
     const __m256d dx = _mm256_set1_pd(along.x), dy = _mm256_set1_pd(along.y), dz = _mm256_set1_pd(along.z);
     __m256d height = _mm256_set1_pd(-infinity), corner{}, corners{0, 1, 2, 3};
-    for (std::size_t k = 0; k < h.x.size(); k += 4) {
+    for (const HullData::Corners& four : h.corners) {
         const __m256d other =
-            _mm256_loadu_pd(x + k) * dx + _mm256_loadu_pd(y + k) * dy + _mm256_loadu_pd(z + k) * dz;
+            _mm256_loadu_pd(four.x) * dx + _mm256_loadu_pd(four.y) * dy + _mm256_loadu_pd(four.z) * dz;
         corner = _mm256_blendv_pd(corner, corners, _mm256_cmp_pd(other, height, _CMP_GT_OQ));
         height = _mm256_max_pd(other, height);
         corners += 4;
@@ -71,14 +70,14 @@ int scan(const HullData& h, V3 d)
 }
 #endif
 
-bool is_scanned(const HullData& h) { return h.x.size() <= most_scanned || h.neighbours.empty(); }
+bool is_scanned(const HullData& h) { return h.count <= most_scanned || h.neighbours.empty(); }
 
 /// The highest of every so-manieth corner.
 int sample(const HullData& h, V3 d, int stride)
 {
     int best = 0;
     double highest = dot(h.corner(0), d);
-    for (int k = stride; k < h.count(); k += stride) {
+    for (int k = stride; k < h.count; k += stride) {
         const double height = dot(h.corner(k), d);
         if (height > highest) highest = height, best = k;
     }
@@ -90,8 +89,8 @@ int sample(const HullData& h, V3 d, int stride)
 /// rounding lead round in a circle, it is a scan after all.
 int climb(const HullData& h, V3 d)
 {
-    int top = sample(h, d, h.count() / static_cast<int>(most_scanned));
-    for (int step = 0; step < h.count(); ++step) {
+    int top = sample(h, d, h.count / most_scanned);
+    for (int step = 0; step < h.count; ++step) {
         const V3 corner = h.corner(top);
         double highest = 0;
         int next = top;
@@ -127,10 +126,10 @@ SupportPoint farthest_of_hull(const Core& c, const V3& d)
 
 double depth(const HullData& h, V3 point)
 {
-    Two least = both(h.face_offset.empty() ? 0 : infinity);
-    for (std::size_t k = 0; k < h.face_offset.size(); k += 2) {
-        const XYZ<Two> n{load_two(&h.face_x[k]), load_two(&h.face_y[k]), load_two(&h.face_z[k])};
-        least = smaller(load_two(&h.face_offset[k]) - dot(n, both(point)), least);
+    Two least = both(h.faces.empty() ? 0 : infinity);
+    for (const HullData::Faces& two : h.faces) {
+        const XYZ<Two> n{load_two(two.x), load_two(two.y), load_two(two.z)};
+        least = smaller(load_two(two.offset) - dot(n, both(point)), least);
     }
     return least[1] < least[0] ? least[1] : least[0];
 }
