@@ -125,6 +125,29 @@ TEST_CASE("advancement: a body left where brink put it does not stick")
     CHECK(again.t < 2e-9);
 }
 
+TEST_CASE("advancement: what has no width is the segment or the point that it is")
+{
+    const Motion round = turning(Vec3(0.2, 0.1, 4), Vec3(1, 2, 0.3));
+    Motion falling = turning(Vec3(0, 0, 0), Vec3(0.5, -1, 2));
+    falling.translation = Vec3(0, 0, 5);
+    const auto same = [&](const Shape& thin, const Shape& corners) {
+        for (const Shape& other : {Shape{cube}, Shape{Capsule{Vec3(-1, 0, 0), Vec3(1, 0, 0), 0.5}}}) {
+            const Toi got = time_of_impact(other, round, thin, falling);
+            const Toi expected = time_of_impact(other, round, corners, falling);
+            CHECK(got.status == Status::hit);
+            CHECK(got.t == doctest::Approx(expected.t).epsilon(1e-8));
+            CHECK((got.normal - expected.normal).norm() < 1e-6);
+        }
+    };
+    const Capsule upright{Vec3(0, 0, -1.5), Vec3(0, 0, 1.5), 0};
+    same(Cylinder{1.5, 0}, upright);
+    same(Cone{1.5, 0}, upright);
+    same(Ellipsoid{Vec3(0, 0, 1.5)}, upright);
+    same(Ellipsoid{Vec3(0, 1.5, 0)}, Capsule{Vec3(0, -1.5, 0), Vec3(0, 1.5, 0), 0});
+    same(Cylinder{0, 0}, Sphere{0});
+    same(Ellipsoid{Vec3(0, 0, 0)}, Sphere{0});
+}
+
 TEST_CASE("advancement holds the closed forms, and they hold it")
 {
     support::Random random(13);

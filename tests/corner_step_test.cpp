@@ -5,6 +5,8 @@
 #include <brink/toi.h>
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace brink;
 using support::Random;
 
@@ -32,9 +34,12 @@ TEST_CASE("corner_step: no gap opens into contact within a certified step, whate
 TEST_CASE("corner_step: a plane that turns and a body that does")
 {
     Random random(172);
-    int certified = 0;
+    int certified = 0, alone = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const Motion motion_a = random_motion(random, 3), motion_b = random_motion(random, 3);
+        Motion motion_a = random_motion(random, 3), motion_b = random_motion(random, 3);
+        const int still = random.index(4); // one of them or, half of the time, none
+        if (still == 0) motion_a.rotation = Vec3(0, 0, 0);
+        if (still == 1) motion_b.rotation = Vec3(0, 0, 0);
         const TwoBodies<Border> scene{moving_core(random_shape(random, i % 8), motion_a),
                                       mover(Plane{random.unit(), 0}, motion_b)};
         const double t = random.between(0, 0.9);
@@ -45,8 +50,26 @@ TEST_CASE("corner_step: a plane that turns and a body that does")
         CAPTURE(i);
         CHECK(least_gap(scene, t, step.length) > -1e-12);
         ++certified;
+        alone += still == 0;
     }
     CHECK(certified > 5'000);
+    CHECK(alone > 1'000);
+}
+
+TEST_CASE("corner_step: a floor that rocks about a point of its own, a hair below a cube's corner")
+{
+    // The cube is at rest: its pivot may lie in the corner, however far off the centre is.
+    Motion resting, rocking;
+    resting.start.orientation = Quat::FromTwoVectors(Vec3(-1, -1, -1), Vec3(0, 0, -1));
+    resting.start.position = Vec3(0, 0, 1e-6 + std::sqrt(3.0));
+    rocking.rotation = Vec3(0.3, 0, 0);
+    const Plane floor{Vec3(0, 0, 1), 0};
+    const TwoBodies<Border> scene{mover(Box{Vec3(1, 1, 1)}, resting), mover(floor, rocking)};
+    const Moment<Border> s(scene, 0);
+    const TurningAxis down{{0, 0, -1}, {0.3, 0, 0}};
+    CHECK(safe_step(s.facing(), down, 1).length < 0.02);
+    CHECK(corner_step(s.facing(), down, 1).length == 1);
+    CHECK(time_of_impact(Box{Vec3(1, 1, 1)}, resting, floor, rocking).status == Status::separated);
 }
 
 TEST_CASE("corner_step: a cube that rocks on its corner a hair above a floor")

@@ -16,6 +16,45 @@ struct Arc {
     V3 point; // whose it is
 };
 
+/// Directions across an axis that tell how long a vector across it is, or too long by `ring_excess` at most.
+class Ring {
+public:
+    explicit Ring(V3 axis)
+    {
+        const V3 x = any_perpendicular(axis), y = cross(axis, x);
+        constexpr double c = 0.70710678118654757;
+        const V3 ring[4] = {x, c * (x + y), y, c * (y - x)};
+        for (int k = 0; k < 4; ++k)
+            at_[k] = tolerance::ring_excess * ring[k];
+    }
+    double length(V3 v) const
+    {
+        double most = 0;
+        for (const V3 e : at_)
+            most = std::max(most, std::fabs(dot(e, v)));
+        return most;
+    }
+    /// Of a body's points p the one with the largest along . r + weight length(v), r = p - from, where v is
+    /// linear in r: e . v = towards(e) . r.
+    template <class Towards>
+    V3 farthest(const Core& body, V3 from, V3 along, double weight, Towards towards) const
+    {
+        V3 best;
+        double highest = -infinity;
+        for (const V3 e : at_)
+            for (const double side : {-weight, weight}) {
+                const V3 d = along + side * towards(e);
+                const V3 p = brink::farthest(body, d).point;
+                const double height = dot(d, p - from);
+                if (height > highest) highest = height, best = p;
+            }
+        return best;
+    }
+
+private:
+    V3 at_[4];
+};
+
 /// A gap as the least of many parabolas, one for each pair of points, which are those of A's arcs, B's arcs
 /// and a common one: so it is concave. OfA and OfB tell the arc that reaches farthest at some h.
 template <class OfA, class OfB> class Arches {

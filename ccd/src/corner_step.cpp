@@ -11,46 +11,6 @@ namespace brink {
 
 namespace {
 
-/// The largest of some lengths across an axis, over the points of a body: `longest(p)` is no less than the
-/// distance of p from the line through the pivot, and the largest `height(p) + weight * longest(p)` is found.
-/// Of curved shapes the distance is told by a ring of directions, which make it too long by `ring_excess`.
-class Across {
-public:
-    Across(const Posed<Core>& body, V3 axis) : body_(body)
-    {
-        const V3 x = any_perpendicular(axis), y = cross(axis, x);
-        constexpr double c = 0.70710678118654757;
-        const V3 ring[4] = {x, c * (x + y), y, c * (y - x)};
-        for (int k = 0; k < 4; ++k)
-            ring_[k] = tolerance::ring_excess * ring[k];
-    }
-    double length(V3 from_pivot) const
-    {
-        double most = 0;
-        for (const V3 e : ring_)
-            most = std::max(most, std::fabs(dot(e, from_pivot)));
-        return most;
-    }
-    /// The point with the largest u . p + weight length(p - pivot).
-    V3 farthest(V3 u, double weight) const
-    {
-        V3 best;
-        double highest = -infinity;
-        for (const V3 e : ring_)
-            for (const double side : {-weight, weight}) {
-                const V3 d = u + side * e;
-                const V3 p = brink::farthest(body_.part, d).point;
-                const double height = dot(d, p - body_.pivot);
-                if (height > highest) highest = height, best = p;
-            }
-        return best;
-    }
-
-private:
-    const Posed<Core>& body_;
-    V3 ring_[4];
-};
-
 /// The points of a body along an axis n + h shift, each with its own bend; of what has too many or turns
 /// otherwise than the axis, the whole.
 class Arcs {
@@ -75,9 +35,11 @@ public:
             const V3 p = farthest(c, side_ * turned_.at(h)).point;
             return {turned_.along(p, body_.pivot), whole(), p};
         }
-        const Across across(body_, (1 / apart_rate_) * apart_);
-        const V3 p = across.farthest(side_ * turned_.at(h), 0.5 * h * h * shift_ * apart_rate_);
-        return {turned_.along(p, body_.pivot), shift_ * apart_rate_ * across.length(p - body_.pivot), p};
+        const Ring ring((1 / apart_rate_) * apart_);
+        const double bend = shift_ * apart_rate_;
+        const V3 p =
+            ring.farthest(c, body_.pivot, side_ * turned_.at(h), 0.5 * h * h * bend, [](V3 e) { return e; });
+        return {turned_.along(p, body_.pivot), bend * ring.length(p - body_.pivot), p};
     }
 
 private:
@@ -167,16 +129,27 @@ double highest_on_circles(const Posed<Core>& body, V3 n)
         }
         return most;
     }
-    const Across ring(body, axis);
-    const V3 p = ring.farthest(along, across) - body.pivot;
+    const Ring ring(axis);
+    const V3 p = ring.farthest(c, body.pivot, along, across, [](V3 e) { return e; }) - body.pivot;
     return dot(along, p) + across * ring.length(p);
 }
 
 } // namespace
 
+template <class Part> Facing<Part> about_one_pivot(const Facing<Part>& f)
+{
+    const double apart = norm(f.b.pivot - f.a.pivot);
+    const auto seen_from = [apart](auto body, V3 pivot) {
+        return decltype(body){body.part, pivot, body.reach + apart, body.rate, body.angle};
+    };
+    if (f.b.angle == 0) return {f.a, seen_from(f.b, f.a.pivot), f.velocity, f.margin};
+    if (f.a.angle == 0) return {seen_from(f.a, f.b.pivot), f.b, f.velocity, f.margin};
+    return f;
+}
+
 template <class Part> Step corner_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
-    return blocked(f, axis, horizon).step;
+    return blocked(about_one_pivot(f), axis, horizon).step;
 }
 
 Blocked blocked_step(const Facing<Core>& f, const TurningAxis& axis, double horizon)
@@ -196,10 +169,12 @@ Step whirl_step(const Facing<Core>& f, V3 normal, double horizon)
 
 template <class Part> double corner_rise(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
-    return with_arches(f, axis, horizon,
+    return with_arches(about_one_pivot(f), axis, horizon,
                        [&](const auto& arches) { return arches.last(arches.now(), horizon).h; });
 }
 
+template Facing<Core> about_one_pivot(const Facing<Core>&);
+template Facing<Border> about_one_pivot(const Facing<Border>&);
 template Step corner_step(const Facing<Core>&, const TurningAxis&, double);
 template Step corner_step(const Facing<Border>&, const TurningAxis&, double);
 template double corner_rise(const Facing<Core>&, const TurningAxis&, double);

@@ -5,6 +5,9 @@
 
 namespace brink {
 
+/// The same bodies, seen from the other's pivot where one does not turn: any of its points will do for it.
+template <class Part> Facing<Part> about_one_pivot(const Facing<Part>&);
+
 /// What safe_step proves, point by point: each bends away from its own line no more than its own distance
 /// from the pivot lets it. Far longer where a body rocks on a point that stays near the other one, and as
 /// much work as there are corners. The axis of a plane or half-space is its own, with its rate.

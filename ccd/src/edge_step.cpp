@@ -9,7 +9,7 @@ namespace brink {
 
 namespace {
 
-/// A body's corners x by their part of the gap, `across` . (along x (x - from)): both edges taken along by
+/// A body's points x by their part of the gap, `across` . (along x (x - from)): both edges taken along by
 /// their bodies, the product turns with the difference of the rates.
 class Strands {
 public:
@@ -23,10 +23,13 @@ public:
         const double other = norm(other_rate), both = body.angle + other;
         alone_ = other == 0 || body.angle == 0;
         rate_ = body.rate - other_rate;
+        const double rate = norm(rate_);
+        if (alone_) ring_ = Ring(rate > 0 ? (1 / rate) * rate_ : V3{});
         bend_ = alone_ ? norm(turned_.shift) : both * both * norm(across);
     }
     Arc extreme(double h) const
     {
+        if (!is_polytope(core_)) return on_round(h);
         Arc best;
         double highest = -infinity;
         for (int k = 0; k < core_.count; ++k) {
@@ -39,20 +42,27 @@ public:
     }
 
 private:
+    Arc on_round(double h) const
+    {
+        const V3 u = side_ * turned_.at(h);
+        const V3 p = ring_.farthest(core_, from_, cross(along_, u), 0.5 * bend_ * h * h,
+                                    [&](V3 e) { return cross(along_, alone_ ? cross(e, rate_) : e); });
+        const V3 z = cross(p - from_, along_);
+        return {turned_.along(z), bend_ * ring_.length(alone_ ? cross(rate_, z) : z), p};
+    }
+
     const Core& core_;
     V3 from_, along_;
     Turned turned_;
     double side_, bend_ = 0;
     bool alone_ = false; // of both bodies one does not turn
     V3 rate_;
+    Ring ring_{along_};
 };
 
-} // namespace
-
-Step edge_step(const Facing<Core>& f, V3 normal, double horizon)
+/// By one line of each.
+Step across(const Facing<Core>& f, const FlatEdge& a, const FlatEdge& b, V3 normal, double horizon)
 {
-    if (!has_edges(f.a.part) || !has_edges(f.b.part)) return {};
-    const FlatEdge a = flattest_edge(f.a.part, normal), b = flattest_edge(f.b.part, -normal);
     const V3 product = cross(a.along, b.along);
     const double sine = norm(product);
     if (!(sine > tolerance::skew)) return {};
@@ -78,6 +88,20 @@ Step edge_step(const Facing<Core>& f, V3 normal, double horizon)
     if (!(gap > 0)) return {gap, 0, 0};
     const auto last = arches.last(0, horizon);
     return {gap, last.h, last.bend * last.h * last.h};
+}
+
+} // namespace
+
+Step edge_step(const Facing<Core>& f, V3 normal, double horizon)
+{
+    const FlatLines of_a = flat_lines(f.a.part, normal), of_b = flat_lines(f.b.part, -normal);
+    Step best;
+    for (int i = 0; i < of_a.count; ++i)
+        for (int k = 0; k < of_b.count; ++k) {
+            const Step step = across(f, of_a.line[i], of_b.line[k], normal, horizon);
+            if (step.length > best.length) best = step;
+        }
+    return best;
 }
 
 } // namespace brink

@@ -33,6 +33,65 @@ static inline FlatEdge flattest_edge(const Core& c, V3 axis)
     return edge;
 }
 
+/// Where an ellipsoid has a supporting plane at right angles to a unit axis, the tangent along which it is
+/// least curved: the larger eigenvector of the second derivative of the supporting height, which in the
+/// plane's directions is M - (M n)(M n)' / (n . M n) up to a factor, M with the squares of the radii.
+static inline V3 flattest_tangent(const Core& c, V3 axis)
+{
+    const V3 h = c.half_extents, x = any_perpendicular(axis), y = cross(axis, x);
+    const auto stretched = [&](V3 v) {
+        const V3 local = into(c.axes, v);
+        return V3{h.x * local.x, h.y * local.y, h.z * local.z};
+    };
+    const V3 p = stretched(x), q = stretched(y), n = stretched(axis);
+    const double square = norm_squared(n), inverse = square > 0 ? 1 / square : 0;
+    const double xx = norm_squared(p) - dot(p, n) * dot(p, n) * inverse;
+    const double yy = norm_squared(q) - dot(q, n) * dot(q, n) * inverse;
+    const double xy = dot(p, q) - dot(p, n) * dot(q, n) * inverse, half = 0.5 * (xx - yy);
+    const double root = std::sqrt(half * half + xy * xy);
+    if (!(root > 0)) return x;
+    return half > 0 ? (half + root) * x + xy * y : xy * x + (root - half) * y;
+}
+
+/// The lines of a body that lie flat against an axis: the flattest edge, or of what is round those that it is
+/// straight along, the tangent of a rim, and two of an ellipsoid. From the point that lies farthest along the
+/// axis.
+struct FlatLines {
+    int count = 0;
+    FlatEdge line[2];
+
+    void add(V3 top, V3 way)
+    {
+        const double length = norm(way);
+        if (length > 0) line[count++] = {top, (1 / length) * way, length};
+    }
+};
+static inline FlatLines flat_lines(const Core& c, V3 axis)
+{
+    using enum Core::Kind;
+    FlatLines out;
+    if (has_edges(c)) {
+        const FlatEdge edge = flattest_edge(c, axis);
+        out.add(edge.top, edge.length * edge.along);
+        return out;
+    }
+    if (is_polytope(c)) return out;
+    const V3 top = farthest(c, axis).point, h = c.half_extents;
+    if (c.kind == ellipsoid) {
+        const V3 flattest = flattest_tangent(c, axis);
+        out.add(top, flattest);
+        out.add(top, cross(axis, flattest));
+        return out;
+    }
+    const V3 across = axis - dot(axis, c.axes.z) * c.axes.z;
+    const double length = norm(across);
+    if (!(length > 0)) return out;
+    const V3 outwards = (h.x / length) * across;
+    out.add(top, c.kind == cone ? outwards - (2 * h.z) * c.axes.z : c.axes.z);
+    out.add(top, cross(c.axes.z, outwards));
+    return out;
+}
+
 /// Where the lines of two edges are nearest, as lengths from their tops. They must not be parallel.
 struct LinePlaces {
     double on_a, on_b;

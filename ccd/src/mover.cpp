@@ -47,6 +47,21 @@ void start(Border& b, const Rotation& start, V3 pivot) { b = placed(placed(b, {}
 
 } // namespace
 
+Core thinned(const Core& round)
+{
+    const V3 h = round.half_extents;
+    const bool x = h.x > 0, y = h.y > 0, z = h.z > 0;
+    if ((x && y) || (y && z) || (z && x)) return round;
+    Core c;
+    c.radius = round.radius;
+    if (!x && !y && !z) return c;
+    c.kind = Core::Kind::segment;
+    c.count = 2;
+    c.points[0] = -h;
+    c.points[1] = h;
+    return c;
+}
+
 Turn turn(const Vec3& rotation)
 {
     const V3 rate = load(rotation);

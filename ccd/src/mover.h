@@ -37,9 +37,11 @@ static inline Core part(const Box& s) { return core(s); }
 static inline Core part(const Triangle& s) { return core(s); }
 static inline Border part(const Plane& s) { return border(s); }
 static inline Border part(const HalfSpace& s) { return border(s); }
-static inline Core part(const Cylinder& s) { return core(s); }
-static inline Core part(const Cone& s) { return core(s); }
-static inline Core part(const Ellipsoid& s) { return core(s); }
+/// A core that has no more than one extent as the segment or point that it is, whose ends are corners.
+Core thinned(const Core& round);
+static inline Core part(const Cylinder& s) { return thinned(core(s)); }
+static inline Core part(const Cone& s) { return thinned(core(s)); }
+static inline Core part(const Ellipsoid& s) { return thinned(core(s)); }
 static inline Core part(const Hull& s) { return core(s); }
 
 /// A moving shape about its pivot: `Part` is Core (bounded) or Border (plane or half-space), in world axes at

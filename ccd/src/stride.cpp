@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stride.h"
 
+#include "contact_features.h"
 #include "corner_step.h"
 #include "edge_step.h"
+#include "flattest_edge.h"
 #include "mover.h"
 #include "support.h"
 #include "tolerance.h"
@@ -91,21 +93,6 @@ V3 way_between(const Facing<Core>& f, const Blocked& b, V3 spin)
     return turned_by(on_b - on_a, -spin, h);
 }
 
-/// The same bodies, seen from the other's pivot where one does not turn: any of its points will do for it.
-Facing<Core> about_one_pivot(const Facing<Core>& f)
-{
-    Facing<Core> out = f;
-    const double apart = norm(f.b.pivot - f.a.pivot);
-    if (f.b.angle == 0) {
-        out.b.pivot = f.a.pivot;
-        out.b.reach += apart;
-    } else if (f.a.angle == 0) {
-        out.a.pivot = f.b.pivot;
-        out.a.reach += apart;
-    }
-    return out;
-}
-
 class Striding {
 public:
     Striding(const Facing<Core>& f, double horizon) : f_(f), horizon_(horizon)
@@ -130,6 +117,22 @@ public:
             const V3 way = way_between(f_, b, spin);
             if (!choice.cut(way - f_.margin * axis.normal, dot(n, way) - f_.margin * length)) return;
         }
+    }
+    /// Axes that stay at right angles to a line of either body or of both.
+    void lines(V3 normal)
+    {
+        const FlatLines of_a = flat_lines(f_.a.part, normal), of_b = flat_lines(f_.b.part, -normal);
+        const auto feature = [](const FlatLines& lines, int k) -> Feature {
+            if (k == lines.count) return {};
+            return {Feature::Kind::edge, lines.line[k].along};
+        };
+        for (int i = 0; i <= of_a.count; ++i)
+            for (int k = 0; k <= of_b.count; ++k) {
+                if (done() || (i == of_a.count && k == of_b.count)) return;
+                const TurningAxis axis =
+                    axis_between(feature(of_a, i), f_.a.rate, feature(of_b, k), f_.b.rate, normal, normal);
+                if (!(axis.normal == V3{})) tilt(axis.normal, axis.spin);
+            }
     }
     void edges(V3 normal) { take({normal, {}}, edge_step(f_, normal, horizon_)); }
     void whirl(V3 normal) { take({normal, {}}, whirl_step(f_, normal, horizon_)); }
@@ -158,6 +161,7 @@ Stride stride(const Facing<Core>& facing, V3 normal, double horizon)
     s.tilt(normal, {});
     for (const V3 spin : {f.a.rate, f.b.rate})
         if (!(spin == V3{})) s.tilt(normal, spin);
+    if (!is_polytope(f.a.part) || !is_polytope(f.b.part)) s.lines(normal);
     if (!s.done() && s.best().step.length > 0) s.whirl(s.best().axis.normal);
     if (!s.done()) s.whirl(normal);
     return s.best();
