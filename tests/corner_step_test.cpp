@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corner_step.h"
+#include "support/turn_onto.h"
 #include "two_bodies.h"
 
 #include <brink/toi.h>
@@ -55,7 +56,7 @@ TEST_CASE("corner_step: a cube that rocks on its corner a hair above a floor")
     const double height = 1e-6;
     const Vec3 corner(-1, -1, -1);
     Motion rocking;
-    rocking.start.orientation = Quat::FromTwoVectors(corner, Vec3(0, 0, -1));
+    rocking.start.orientation = support::turn_onto(corner, Vec3(0, 0, -1));
     rocking.start.position = Vec3(0, 0, height) - rocking.start.orientation * corner;
     rocking.pivot = corner;
     rocking.rotation = Vec3(0.3, 0, 0);

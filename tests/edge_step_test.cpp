@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edge_step.h"
+#include "support/turn_onto.h"
 #include "two_bodies.h"
 
 #include <brink/toi.h>
@@ -45,7 +46,7 @@ TEST_CASE("edge_step: a bar that swings on its edge, a hair above another bar ac
     // Both edges are up to 1e-8 apart for a quarter of a turn about the first; the axis turns all the way.
     Motion swing;
     swing.start.position = Vec3(0, 0, 1 + 1e-8);
-    swing.start.orientation = Quat::FromTwoVectors(Vec3(0, -1, -1), Vec3(0, 0, -1));
+    swing.start.orientation = support::turn_onto(Vec3(0, -1, -1), Vec3(0, 0, -1));
     swing.pivot = Vec3(0, -0.70710678118654757, -0.70710678118654757);
     swing.rotation = Vec3(0, 0, 1);
     const Box bar{Vec3(3, 0.70710678118654757, 0.70710678118654757)};
@@ -69,7 +70,7 @@ TEST_CASE("edge_step: bars that swing on the place where their edges cross, whic
     for (int i = 0; i < 4'000; ++i) {
         const double hair = random.log_between(1e-8, 1e-4), across = random.between(0.5, 2.6);
         Motion above, below;
-        above.start.orientation = Quat::FromTwoVectors(Vec3(0, -1, -1), Vec3(0, 0, -1));
+        above.start.orientation = support::turn_onto(Vec3(0, -1, -1), Vec3(0, 0, -1));
         above.start.position = Vec3(0, 0, 1 + hair);
         above.pivot = Vec3(0, -half, -half);
         above.rotation = random.in_cube(3);
