@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Parts sources into batches to compile as one, since most of the time goes to headers that they share:
-# batches.sh <folder> <most lines of a batch> <source>... writes the batches there and prints the sources in them.
+# batches.sh <folder> <source>... writes the batches there and prints the sources in them.
 # Two sources may share a batch if neither says a name that is the other's own (of its unnamed namespaces and using
 # declarations), if no header of ours that only one of them includes declares one that is the other's own, and if they
 # have the same using directives; what defines macros or specializes templates stays alone. This looks at words, not at C++: it relies on
 # clang-format, which puts what a file declares in the first column, and where it errs the compiler says so.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-folder=$1 most=$2
-shift 2
+folder=$1
+shift
+most=2000 # lines of a batch: two compilers take as long as one, and memory is no worry
 mkdir -p "$folder"
 rm -f "$folder"/batch_*.cpp
 find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v folder="$folder" -v most="$most" -v root="$PWD" '
