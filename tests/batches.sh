@@ -4,16 +4,18 @@
 # batches.sh <folder> <source>... writes the batches there and prints the sources in them.
 # Two sources may share a batch if neither says a name that is the other's own (of its unnamed namespaces and using
 # declarations), if no header of ours that only one of them includes declares one that is the other's own, and if they
-# have the same using directives; what defines macros or specializes templates stays alone. This looks at words, not at C++: it relies on
-# clang-format, which puts what a file declares in the first column, and where it errs the compiler says so.
+# have the same using directives; what defines macros or specializes templates stays alone. This looks at words, not at
+# C++: it relies on clang-format, which puts what a file declares in the first column, and where it errs the compiler
+# says so.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1
 shift
-most=2000 # lines of a batch: two compilers take as long as one, and memory is no worry
+most=2000 # lines of a batch: what keeps two compilers busy
 mkdir -p "$folder"
 rm -f "$folder"/batch_*.cpp
 find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v folder="$folder" -v most="$most" -v root="$PWD" '
+    function absolute(path) { return path ~ /^\// ? path : root "/" path }
     function base(path) { sub(/.*\//, "", path); return path }
     function first_word(text) { return match(text, /[A-Za-z_][A-Za-z_0-9]*/) ? substr(text, RSTART, RLENGTH) : "" }
     function last_word(text) { return match(text, /[A-Za-z_][A-Za-z_0-9]*[^A-Za-z_0-9]*$/) ? first_word(substr(text, RSTART)) : "" }
@@ -77,9 +79,9 @@ find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v fo
         many = split(headers[b], parts, " ")
         for (i = 1; i <= count[a]; ++i) {
             name = names[a, i]
-            if (!((a, name) in uses) && ((b, name) in says || (b, name) in uses)) { why[name]++; return 1 }
+            if (!((a, name) in uses) && ((b, name) in says || (b, name) in uses)) return 1
             for (k = 1; k <= many; ++k)
-                if (!((a, parts[k]) in reached) && (parts[k], name) in declares) { why[parts[k] " " name]++; return 1 }
+                if (!((a, parts[k]) in reached) && (parts[k], name) in declares) return 1
         }
         return 0
     }
@@ -99,11 +101,11 @@ find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v fo
             for (k = 1; k <= many; ++k)
                 if (!((batch, parts[k]) in done)) {
                     done[batch, parts[k]] = 1
-                    printf "#include \"%s/%s\"\n", root, path[parts[k]] > out
+                    printf "#include \"%s\"\n", absolute(path[parts[k]]) > out
                 }
         }
         for (i = 1; i <= members[batch]; ++i) {
-            printf "#include \"%s\"\n", member[batch, i] > out
+            printf "#include \"%s\"\n", absolute(member[batch, i]) > out
             print member[batch, i]
         }
         close(out)
@@ -118,10 +120,5 @@ find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v fo
             size[batch] += file in alone ? most : lines[file]
         }
         for (batch = 1; batch <= batches; ++batch) if (members[batch] > 1) write(batch)
-        if (ENVIRON["WHY"] != "") {
-            for (batch = 1; batch <= batches; ++batch) printf "%d(%d) ", members[batch], size[batch] > "/dev/stderr"
-            print "" > "/dev/stderr"
-            for (w in why) print why[w], w | "sort -rn | head -12 | tr \"\\n\" \";\" >&2"
-        }
     }
 ' "$@"
