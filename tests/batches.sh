@@ -3,10 +3,10 @@
 # Parts sources into batches to compile as one, since most of the time goes to headers that they share:
 # batches.sh <folder> <source>... writes the batches there and prints the sources in them.
 # Two sources may share a batch if neither says a name that is the other's own (of its unnamed namespaces and using
-# declarations), if no header of ours that only one of them includes declares one that is the other's own, and if they
-# have the same using directives; what defines macros or specializes templates stays alone. This looks at words, not at
-# C++: it relies on clang-format, which puts what a file declares in the first column, and where it errs the compiler
-# says so.
+# declarations), if no header of ours that only one of them includes declares one that is the other's own or defines a
+# type whose name the other says, and if they have the same using directives; what defines macros or specializes
+# templates stays alone. This looks at words, not at C++: it relies on clang-format, which puts what a file declares in
+# the first column, and where it errs the compiler says so.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1
@@ -27,7 +27,10 @@ find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v fo
     function declaration(text) { # what begins in the first column
         sub(/^(template <.*> |\[\[[^]]*\]\] )/, "", text)
         if (text ~ /operator/) declare("operator")
-        else if (sub(/^(struct|class|union|enum class|enum) /, "", text)) declare(first_word(text))
+        else if (sub(/^(struct|class|union|enum class|enum) /, "", text)) {
+            declare(first_word(text))
+            if (text !~ /;$/) types[file] = types[file] " " first_word(text)
+        }
         else if (match(text, /[^A-Za-z_0-9:<>&*, ]/)) {
             declare(last_word(substr(text, 1, RSTART - 1)))
             while (match(text, /, [A-Za-z_0-9]+ ?[={]/)) { # const double a = 1, b = 2
@@ -75,7 +78,14 @@ find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v fo
                 reach(file, parts[i])
             }
     }
-    function disturbs(a, b,    i, k, name, parts, many) { # whether a name of a is another to b
+    function strange_types(a, b,    i, many, parts, out) { # of headers of a that b does not include
+        many = split(headers[a], parts, " ")
+        for (i = 1; i <= many; ++i) if (!((b, parts[i]) in reached)) out = out types[parts[i]]
+        return out
+    }
+    function disturbs(a, b,    i, k, name, parts, many) { # whether a name of a or of a header of its is another to b
+        many = split(strange_types(a, b), parts, " ")
+        for (i = 1; i <= many; ++i) if ((b, parts[i]) in says) return 1
         many = split(headers[b], parts, " ")
         for (i = 1; i <= count[a]; ++i) {
             name = names[a, i]
