@@ -2,6 +2,7 @@
 #include "crossing.h"
 
 #include "crossing_turning.h"
+#include "turn_onto.h"
 
 #include <cmath>
 
@@ -86,7 +87,7 @@ Crossing capsule_at_edge(Random& random, double speed)
 
     const Quat turn = random.rotation();
     const Vec3 place = random.in_cube(5);
-    const Quat lie = turn * Quat::FromTwoVectors(Vec3::UnitZ(), axis);
+    const Quat lie = turn * support::turn_onto(Vec3::UnitZ(), axis);
     const Vec3 end{0, 0, 0.5 * length};
     const Touch touch{
         Capsule{-end, end, radius}, Box{half}, {place + turn * centre, lie}, {place, turn}, turn * normal};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "error_contender.h"
+#include "turn_onto.h"
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
@@ -65,7 +66,7 @@ Solid solid(const Capsule& s)
         std::make_unique<btCapsuleShapeZ>(static_cast<btScalar>(s.radius), static_cast<btScalar>(length)),
         nullptr};
     out.local.position = s.a + 0.5 * axis;
-    if (length > 0) out.local.orientation = Quat::FromTwoVectors(Vec3::UnitZ(), axis);
+    if (length > 0) out.local.orientation = support::turn_onto(Vec3::UnitZ(), axis);
     return out;
 }
 

@@ -127,7 +127,7 @@ std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
     Witnesses witnesses;
     const Statement said = witnesses.question(one).front();
     append(findings, said.against_brink);
-    if (judgeable(trial.query())) {
+    if (can_judge(trial.query())) {
         out += truth_in_words(trial.query());
         append(findings, ruled(trial.query(), trial.toi()).findings);
         append(findings, verified(trial.query(), trial.toi()));

@@ -25,7 +25,7 @@ support::Findings named(support::Findings findings, const char* judge)
 
 } // namespace
 
-bool judgeable(const support::Query& q) { return support::judgeable(q); }
+bool can_judge(const support::Query& q) { return support::judgeable(q); }
 
 Ruled ruled(const support::Query& q, const Toi& toi)
 {
@@ -77,7 +77,7 @@ void forget_digits() { mpfr_free_cache(); }
 
 #else
 
-bool judgeable(const support::Query&) { return false; }
+bool can_judge(const support::Query&) { return false; }
 Ruled ruled(const support::Query&, const Toi&) { return {}; }
 FirstContact first_contact(const support::Query&, const Toi&) { return {}; }
 support::Findings verified(const support::Query&, const Toi&) { return {}; }

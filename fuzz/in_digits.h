@@ -7,7 +7,7 @@
 namespace brink::fuzz {
 
 /// Whether they are there and can judge the query.
-bool judgeable(const support::Query&);
+bool can_judge(const support::Query&);
 
 /// What the referee has against the answer: proven in long double where that is enough, else in 100 digits.
 struct Ruled {

@@ -51,7 +51,7 @@ Findings by_referee(Tally& tally, const Trial& trial)
 /// The contact in digits, once: how early the answer is, and whether `undecided` is excused.
 Findings by_digits(Tally& tally, Case& c)
 {
-    if (c.sworn || !judgeable(c.trial.query())) return {};
+    if (c.sworn || !can_judge(c.trial.query())) return {};
     c.sworn = true;
     const support::Query& q = c.trial.query();
     const Toi& toi = c.trial.toi();
@@ -93,7 +93,7 @@ bool try_one(Tally& tally, const Pair& pair, Case& c)
     const bool odd = suspicious(c.trial.toi()) || !findings.empty();
     if (pair.has_reference() && summons.reference_knows && (odd || summons.reference))
         append(findings, by_reference(tally, c.trial));
-    if (judgeable(q) && (odd || summons.referee)) append(findings, by_referee(tally, c.trial));
+    if (can_judge(q) && (odd || summons.referee)) append(findings, by_referee(tally, c.trial));
     const bool undecided = c.trial.toi().status == Status::undecided;
     if (!findings.empty() || undecided || summons.digits) append(findings, by_digits(tally, c));
     complain(tally, c, findings);

@@ -54,7 +54,7 @@ std::vector<Case> cases_of(const Job& job)
     std::vector<Case> cases;
     for (const KeptQuery* kept : job.queries) {
         Summons everybody;
-        everybody.valid = judgeable(kept->query);
+        everybody.valid = can_judge(kept->query);
         cases.push_back({kept->line, support::Trial(kept->query), everybody});
     }
     return cases;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corner_step.h"
+#include "support/turn_onto.h"
 #include "two_bodies.h"
 
 #include <brink/toi.h>
@@ -60,7 +61,7 @@ TEST_CASE("corner_step: a floor that rocks about a point of its own, a hair belo
 {
     // The cube is at rest: its pivot may lie in the corner, however far off the centre is.
     Motion resting, rocking;
-    resting.start.orientation = Quat::FromTwoVectors(Vec3(-1, -1, -1), Vec3(0, 0, -1));
+    resting.start.orientation = support::turn_onto(Vec3(-1, -1, -1), Vec3(0, 0, -1));
     resting.start.position = Vec3(0, 0, 1e-6 + std::sqrt(3.0));
     rocking.rotation = Vec3(0.3, 0, 0);
     const Plane floor{Vec3(0, 0, 1), 0};
@@ -78,7 +79,7 @@ TEST_CASE("corner_step: a cube that rocks on its corner a hair above a floor")
     const double height = 1e-6;
     const Vec3 corner(-1, -1, -1);
     Motion rocking;
-    rocking.start.orientation = Quat::FromTwoVectors(corner, Vec3(0, 0, -1));
+    rocking.start.orientation = support::turn_onto(corner, Vec3(0, 0, -1));
     rocking.start.position = Vec3(0, 0, height) - rocking.start.orientation * corner;
     rocking.pivot = corner;
     rocking.rotation = Vec3(0.3, 0, 0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edge_step.h"
 #include "support.h"
+#include "support/turn_onto.h"
 #include "two_bodies.h"
 
 #include <brink/toi.h>
@@ -49,7 +50,7 @@ double swinging_above(const auto& below, const Motion& at, double hair)
 {
     constexpr double half = 0.70710678118654757; // of a diagonal of 2
     Motion swing;
-    swing.start.orientation = Quat::FromTwoVectors(Vec3(0, -1, -1), Vec3(0, 0, -1));
+    swing.start.orientation = support::turn_onto(Vec3(0, -1, -1), Vec3(0, 0, -1));
     swing.pivot = Vec3(0, -half, -half);
     swing.start.position = Vec3(0, 0, 1 + hair);
     swing.rotation = Vec3(0, 0.3, 0.7); // its ends go up and down, and it turns across what is below
@@ -66,7 +67,7 @@ double swinging_above(const auto& below, const Motion& at, double hair)
 Motion below(double x, double z)
 {
     Motion m;
-    m.start.orientation = Quat::FromTwoVectors(Vec3(x, 0, z), Vec3(0, 0, 1));
+    m.start.orientation = support::turn_onto(Vec3(x, 0, z), Vec3(0, 0, 1));
     m.start.position = m.start.orientation * Vec3(-x, 0, -z);
     return m;
 }
@@ -76,7 +77,7 @@ Motion below(double x, double z)
 TEST_CASE("edge_step: a bar that swings on its edge a hair above what is round")
 {
     Motion needle;
-    needle.start.orientation = Quat::FromTwoVectors(Vec3(1, 0, 0), Vec3(1, 1, 0));
+    needle.start.orientation = support::turn_onto(Vec3(1, 0, 0), Vec3(1, 1, 0));
     needle.start.position = Vec3(0, 0, -1e-6);
     CHECK(swinging_above(Cylinder{0.5, 0.5}, below(0.5, 0.5), 1e-8) > 0.1); // a rim
     CHECK(swinging_above(Cone{0.5, 0.5}, below(0.5, -0.5), 1e-8) > 0.1);
@@ -90,7 +91,7 @@ TEST_CASE("edge_step: a bar that swings on its edge, a hair above another bar ac
     // Both edges are up to 1e-8 apart for a quarter of a turn about the first; the axis turns all the way.
     Motion swing;
     swing.start.position = Vec3(0, 0, 1 + 1e-8);
-    swing.start.orientation = Quat::FromTwoVectors(Vec3(0, -1, -1), Vec3(0, 0, -1));
+    swing.start.orientation = support::turn_onto(Vec3(0, -1, -1), Vec3(0, 0, -1));
     swing.pivot = Vec3(0, -0.70710678118654757, -0.70710678118654757);
     swing.rotation = Vec3(0, 0, 1);
     const Box bar{Vec3(3, 0.70710678118654757, 0.70710678118654757)};
@@ -114,7 +115,7 @@ TEST_CASE("edge_step: bars that swing on the place where their edges cross, whic
     for (int i = 0; i < 4'000; ++i) {
         const double hair = random.log_between(1e-8, 1e-4), across = random.between(0.5, 2.6);
         Motion above, below;
-        above.start.orientation = Quat::FromTwoVectors(Vec3(0, -1, -1), Vec3(0, 0, -1));
+        above.start.orientation = support::turn_onto(Vec3(0, -1, -1), Vec3(0, 0, -1));
         above.start.position = Vec3(0, 0, 1 + hair);
         above.pivot = Vec3(0, -half, -half);
         above.rotation = random.in_cube(3);
@@ -149,12 +150,12 @@ TEST_CASE("edge_step: what is round swings on the place where it crosses an edge
         const double hair = random.log_between(1e-8, 1e-4), z = place[i % 4];
         const Vec3 lowest(radius, 0, z);
         Motion above, below;
-        above.start.orientation = Quat::FromTwoVectors(lowest, Vec3(0, 0, -1));
+        above.start.orientation = support::turn_onto(lowest, Vec3(0, 0, -1));
         above.start.position = Vec3(0, 0, hair) - above.start.orientation * lowest;
         above.pivot = lowest;
         above.rotation = random.in_cube(3);
         below.start.orientation = Quat(Eigen::AngleAxisd(random.between(0, 3), Vec3(0, 0, 1))) *
-                                  Quat::FromTwoVectors(Vec3(0, 1, 1), Vec3(0, 0, 1));
+                                  support::turn_onto(Vec3(0, 1, 1), Vec3(0, 0, 1));
         below.start.position = Vec3(0, 0, -1);
         below.pivot = Vec3(0, half, half);
         if (random.chance(0.5)) below.rotation = random.in_cube(3);

@@ -9,7 +9,7 @@ using support::Random;
 
 namespace {
 
-const std::vector<Corners> tetrahedron{{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
+const std::vector<Facet> tetrahedron{{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
 const std::vector<V3> simplex{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 } // namespace
@@ -65,7 +65,7 @@ TEST_CASE("surface: an edge bent inwards is seen, and a flat corner")
     const auto pyramid = [](double lift) {
         return std::vector<V3>{{1, 0, lift}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     };
-    const std::vector<Corners> faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    const std::vector<Facet> faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
     const auto flat = pyramid(0), up = pyramid(0x1p-50), down = pyramid(-0x1p-50);
     CHECK(Surface(flat, faces).convex());
     CHECK(Surface(up, faces).convex() != Surface(down, faces).convex());

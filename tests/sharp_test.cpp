@@ -43,7 +43,7 @@ TEST_CASE("Pair: sums, products and roots within 4 u^2 of their terms, held agai
         const Pair back = root * root - square;
         CHECK(std::fabs(rounded(back)) <= 16 * u * u * x * x);
     }
-    CHECK(rounded(square_root({})) == 0);
+    CHECK(rounded(square_root(Pair{})) == 0);
 }
 
 TEST_CASE("sharp::height: a sphere against a box, a triangle and a capsule within pair_slack")

@@ -13,7 +13,7 @@
 /// where the approach is slow.
 namespace brink {
 
-namespace border {
+namespace above_border {
 
 /// How many points the core is the hull of.
 template <class A> constexpr int ends = 1;
@@ -71,11 +71,11 @@ Sharp<A> sharpened(const A& a, const Border& b, const Approach& m, Pair radius)
     }
 }
 
-} // namespace border
+} // namespace above_border
 
 template <class A, class Border> Entry border_entry(const A& a, const Border& b, const Approach& m)
 {
-    using namespace border;
+    using namespace above_border;
     const auto [normal, norm_squared] = turned_normal(load(b.normal), m.motion_b.start.orientation);
     const Rotation turn_a = ends<A> > 1 ? m.turn_a() : Rotation{};
     const double offset = b.offset * norm_squared, length = norm(normal);

@@ -205,9 +205,10 @@ AgainstBorder against_border(const A& a, const Border& b, const Query& q, int sh
     const Number factor = factor_a * turn_b.norm_squared, reach = factor * l.reach;
     const Number base = factor_a * dot(normal, l.from) - factor * Number(b.offset, shift);
     AgainstBorder out;
-    out.points = border::ends<A>;
+    out.points = above_border::ends<A>;
     for (int i = 0; i < out.points; ++i)
-        out.height[i] = turn_a ? base + dot(normal, *turn_a * point(store(border::end(a, i)), shift)) : base;
+        out.height[i] =
+            turn_a ? base + dot(normal, *turn_a * point(store(above_border::end(a, i)), shift)) : base;
     out.rate = factor_a * dot(normal, l.by);
     const Point n = point(b.normal, 0);
     out.reach_squared = reach * reach * dot(n, n);

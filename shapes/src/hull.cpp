@@ -95,7 +95,7 @@ void place_corners(HullData& data, const std::vector<V3>& corners)
 std::vector<bool> kept(const std::vector<V3>& points, const Surface& surface)
 {
     std::vector<bool> stays(points.size(), surface.empty());
-    for (const Corners& f : surface.faces())
+    for (const Facet& f : surface.faces())
         for (const int k : f)
             stays[static_cast<std::size_t>(k)] = true;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -107,7 +107,7 @@ std::vector<bool> kept(const std::vector<V3>& points, const Surface& surface)
 void connect(HullData& data, const Surface& surface, const std::vector<int>& place)
 {
     std::vector<std::vector<int>> next(static_cast<std::size_t>(data.count));
-    for (const Corners& f : surface.faces())
+    for (const Facet& f : surface.faces())
         for (std::size_t k = 0; k < 3; ++k) {
             const int from = place[static_cast<std::size_t>(f[k])];
             const int to = place[static_cast<std::size_t>(f[(k + 1) % 3])];
@@ -134,7 +134,7 @@ void bound(HullData& data, const std::vector<V3>& points, const Surface& surface
         two.offset[side] = offset;
         side = 1 - side;
     };
-    for (const Corners& f : surface.faces()) {
+    for (const Facet& f : surface.faces()) {
         const V3 a = at(f[0]), e = at(f[1]) - a, g = at(f[2]) - a, n = cross(e, g);
         const double length = norm(n), doubt = tolerance::face * norm(e) * norm(g);
         const bool flat = !(length > doubt); // no side of it is known

@@ -41,7 +41,7 @@ int side(V3 a, V3 b, V3 c, V3 p)
     return exact_side(a, b, c, p);
 }
 
-Surface::Surface(const std::vector<V3>& points, std::vector<Corners> faces)
+Surface::Surface(const std::vector<V3>& points, std::vector<Facet> faces)
     : points_(points), faces_(std::move(faces))
 {
     if (!faces_.empty() && turn_outwards() && pair_edges()) return;
@@ -50,11 +50,11 @@ Surface::Surface(const std::vector<V3>& points, std::vector<Corners> faces)
 
 bool Surface::turn_outwards()
 {
-    for (const Corners& f : faces_)
+    for (const Facet& f : faces_)
         for (const int k : f)
             middle_ = middle_ + (1.0 / 3 / static_cast<double>(faces_.size())) * at(k);
     inner_ = infinity;
-    for (Corners& f : faces_) {
+    for (Facet& f : faces_) {
         const int below = side(at(f[0]), at(f[1]), at(f[2]), middle_);
         if (below == 0) return false;
         if (below > 0) std::swap(f[1], f[2]);
@@ -96,7 +96,7 @@ bool Surface::holds(V3 point) const
     if (norm_squared(point - middle_) < inner_) return true;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
         if (dot(planes_[i].normal, point) - planes_[i].offset < -tolerance::plane) continue;
-        const Corners& f = faces_[i];
+        const Facet& f = faces_[i];
         if (side(at(f[0]), at(f[1]), at(f[2]), point) > 0) return false;
     }
     return true;
@@ -110,7 +110,7 @@ bool Surface::goes_round_once() const
     const V3 o = middle_, a = at(faces_[0][0]), b = at(faces_[0][1]), c = at(faces_[0][2]);
     const V3 target = 0.5 * a + 0.3 * b + 0.2 * c;
     int met = 0;
-    for (const Corners& f : faces_) {
+    for (const Facet& f : faces_) {
         int least = 1;
         for (std::size_t k = 0; k < 3; ++k)
             least = std::min(least, side(o, at(f[k]), at(f[(k + 1) % 3]), target));
@@ -125,7 +125,7 @@ bool Surface::has_flat_corner() const
 {
     std::vector<bool> sharp(points_.size(), false);
     for (const Edge& e : edges_) {
-        const Corners& f = faces_[static_cast<std::size_t>(e.face)];
+        const Facet& f = faces_[static_cast<std::size_t>(e.face)];
         if (side(at(f[0]), at(f[1]), at(f[2]), at(opposite(e).apex)) == 0) continue;
         sharp[static_cast<std::size_t>(e.from)] = sharp[static_cast<std::size_t>(e.to)] = true;
     }
@@ -136,7 +136,7 @@ bool Surface::has_flat_corner() const
 bool Surface::convex() const
 {
     const auto bent_inwards = [&](const Edge& e) {
-        const Corners& f = faces_[static_cast<std::size_t>(e.face)];
+        const Facet& f = faces_[static_cast<std::size_t>(e.face)];
         return side(at(f[0]), at(f[1]), at(f[2]), at(opposite(e).apex)) > 0;
     };
     return !empty() && std::none_of(edges_.begin(), edges_.end(), bent_inwards) && !has_flat_corner() &&

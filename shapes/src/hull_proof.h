@@ -19,14 +19,14 @@ int side(V3 a, V3 b, V3 c, V3 p);
 class Surface {
 public:
     /// Empty where that is not so.
-    Surface(const std::vector<V3>& points, std::vector<Corners> faces);
+    Surface(const std::vector<V3>& points, std::vector<Facet> faces);
 
     bool empty() const { return faces_.empty(); }
     bool holds(V3 point) const;
     /// Whether it is proven to be the boundary of the hull of its corners, each of which is a corner indeed,
     /// or lies on an edge: from any other than the highest, along whatever direction, an edge leads up.
     bool convex() const;
-    const std::vector<Corners>& faces() const { return faces_; }
+    const std::vector<Facet>& faces() const { return faces_; }
     /// How many corners it has, if convex (Euler).
     std::size_t corner_count() const { return faces_.size() / 2 + 2; }
 
@@ -47,7 +47,7 @@ private:
     Edge opposite(const Edge&) const;
 
     const std::vector<V3>& points_;
-    std::vector<Corners> faces_;
+    std::vector<Facet> faces_;
     std::vector<Edge> edges_; // by their ends
     std::vector<Plane> planes_;
     V3 middle_;

@@ -9,10 +9,10 @@
 namespace brink {
 
 /// A triangle between three of some points, by their places in the list.
-using Corners = std::array<int, 3>;
+using Facet = std::array<int, 3>;
 
 /// What may be the faces of the hull of some points, none outside of the cube of half edge 2. Nothing about
 /// it is sure. Empty where there is no proposal.
-std::vector<Corners> proposed_faces(const std::vector<V3>& points);
+std::vector<Facet> proposed_faces(const std::vector<V3>& points);
 
 } // namespace brink

@@ -4,6 +4,6 @@
 
 namespace brink {
 
-std::vector<Corners> proposed_faces(const std::vector<V3>&) { return {}; }
+std::vector<Facet> proposed_faces(const std::vector<V3>&) { return {}; }
 
 } // namespace brink

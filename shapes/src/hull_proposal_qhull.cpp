@@ -28,16 +28,16 @@ public:
         if (nowhere_ != nullptr) std::fclose(nowhere_);
     }
 
-    std::vector<Corners> faces(std::vector<double>& coordinates)
+    std::vector<Facet> faces(std::vector<double>& coordinates)
     {
-        std::vector<Corners> found;
+        std::vector<Facet> found;
         char command[] = "qhull Qt Pp"; // all faces triangles, no warnings
         const auto count = static_cast<int>(coordinates.size() / 3);
         if (nowhere_ == nullptr ||
             qh_new_qhull(state_.get(), 3, count, coordinates.data(), 0, command, nowhere_, nowhere_) != 0)
             return found;
         for (const facetT* f = state_->facet_list; f != nullptr && f->next != nullptr; f = f->next) {
-            Corners corners{};
+            Facet corners{};
             for (std::size_t k = 0; k < 3; ++k) {
                 auto* vertex = static_cast<vertexT*>(f->vertices->e[k].p);
                 if (vertex == nullptr) return {};
@@ -55,7 +55,7 @@ private:
 
 } // namespace
 
-std::vector<Corners> proposed_faces(const std::vector<V3>& points)
+std::vector<Facet> proposed_faces(const std::vector<V3>& points)
 {
     if (points.size() < 4) return {};
     std::vector<double> coordinates;

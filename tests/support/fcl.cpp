@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fcl.h"
 
+#include "turn_onto.h"
+
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/convex.h>
@@ -34,8 +36,7 @@ Geometry make(const Capsule& c)
     const Vec3 axis = c.b - c.a;
     const double length = axis.norm();
     Geometry made{std::make_shared<fcl::Capsuled>(c.radius, length)};
-    if (length > 0)
-        made.local.linear() = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+    if (length > 0) made.local.linear() = turn_onto(Vec3::UnitZ(), axis).toRotationMatrix();
     made.local.translation() = c.a + 0.5 * axis;
     return made;
 }
