@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "quick_judge.h"
+
+#include "quick_walk.h"
+
+#include <algorithm>
+
+namespace brink::support {
+namespace {
+
+constexpr double eps = 0x1p-52;
+constexpr int most_looks = 96;
+
+Quick3 quick(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+Quick3 velocity(const QuickPlace& place, const Quick3& point)
+{
+    return place.body->velocity + cross(place.body->rotation, point);
+}
+
+/// How fast the nearest points come nearer: length per step.
+double closing_speed(const QuickLook& at)
+{
+    return -dot(at.gap.normal, velocity(at.b, at.gap.point_b) - velocity(at.a, at.gap.point_a));
+}
+
+class Judge {
+public:
+    Judge(const Query& q, const Toi& toi)
+        : q_(q),
+          toi_(toi),
+          pair_(q),
+          blur_(pair_.blur()),
+          rounding_(16 * eps * pair_.scale()),
+          core_target_(q.options.target_gap + pair_.radii())
+    {
+    }
+
+    Quick judge()
+    {
+        out_.doubt = doubt();
+        if (out_.doubt == Doubt::nothing) out_.acquittal = strict_ ? Acquittal::strict : Acquittal::to_rounding;
+        return out_;
+    }
+
+private:
+    bool ignores() const { return q_.options.start_contact != StartContact::report; }
+
+    QuickLook look(double t, const Quick3& hint, const QuickEffort& effort)
+    {
+        ++out_.looks;
+        return {pair_, t, hint, effort};
+    }
+
+    /// To the last bit that doubles have, or past doubt above the target.
+    QuickEffort fine() const { return {blur_ / 16, 0.01, core_target_ + blur_}; }
+    QuickEffort rough() const { return {blur_ / 16, 0.5, core_target_ + blur_}; }
+
+    Doubt doubt()
+    {
+        const double t_max = q_.options.t_max;
+        const bool in_form = toi_.t >= 0 && toi_.t <= t_max && toi_.t <= toi_.t_upper &&
+                             (toi_.status != Status::separated || toi_.t == t_max) &&
+                             toi_.status != Status::invalid;
+        if (!in_form) return Doubt::form;
+        if (toi_.status == Status::touching) return touching();
+        const QuickLook start = look(0, {}, rough());
+        const double over = start.gap.lower - core_target_;
+        if (ignores() ? over <= rounding_ + blur_ : over <= blur_ - rounding_) return Doubt::start;
+        if (toi_.t == 0) return at_end(start, start);
+        QuickLook end = look(toi_.t, quick(toi_.normal), toi_.status == Status::hit ? fine() : rough());
+        return at_end(start, end);
+    }
+
+    /// Apart from the start to the end, and at the end as near as a hit must be.
+    Doubt at_end(const QuickLook& start, const QuickLook& end)
+    {
+        const double lower = std::max(end.gap.lower, along_claimed(end)) - core_target_;
+        if (end.gap.overlap || lower <= blur_ - rounding_) return Doubt::apart;
+        if (lower <= blur_) strict_ = false;
+        if (!apart(start, end)) return Doubt::apart;
+        if (toi_.status != Status::hit) return Doubt::nothing;
+        if (!tight(end)) return Doubt::tight;
+        if (!met_by_upper(end)) return Doubt::upper;
+        return contact(end) ? Doubt::nothing : Doubt::contact;
+    }
+
+    double along_claimed(const QuickLook& at) const
+    {
+        const Quick3 n = quick(toi_.normal);
+        const bool unit = std::abs(dot(n, n) - 1) <= 16 * eps;
+        return unit ? quick_separation(at.a, at.b, n) : -infinity;
+    }
+
+    bool apart(const QuickLook& start, QuickLook end)
+    {
+        // Near contact the answer's normal may be the better of the two: whichever it is, planes prove.
+        const double claimed = along_claimed(end);
+        const bool ground = pair_.a().kind == QuickBody::Kind::ground || pair_.b().kind == QuickBody::Kind::ground;
+        if (!ground && claimed > end.gap.lower) {
+            end.gap.lower = claimed;
+            end.gap.normal = quick(toi_.normal);
+        }
+        const double level = core_target_ + (strict_ ? blur_ : blur_ - rounding_);
+        const QuickProof proof = quick_apart(pair_, start, end, level, most_looks);
+        out_.looks += proof.looks;
+        return proof.apart;
+    }
+
+    /// Promise 3 at t; a hit at 0 must not stick to what recedes.
+    bool tight(const QuickLook& end)
+    {
+        const Pair pair{std::min(q_.a.index(), q_.b.index()), std::max(q_.a.index(), q_.b.index())};
+        const bool turns = pair_.a().rate > 0 || pair_.b().rate > 0;
+        const bool closed = pair.closed_form() && !turns;
+        const double band = closed ? rounding_ : std::max(rounding_, q_.options.tolerance);
+        const double speed = closing_speed(end);
+        const double most = band + std::max(speed, 0.0) * eps / 2 * toi_.t;
+        const double over = end.gap.upper - core_target_;
+        if (over > most) return false;
+        if (over + blur_ > most) strict_ = false;
+        return toi_.t > 0 || speed > 0;
+    }
+
+    /// Contact has begun by t_upper, if it is finite.
+    bool met_by_upper(const QuickLook& end)
+    {
+        if (!(toi_.t_upper < infinity)) return true;
+        if (toi_.t_upper > 1) return false;
+        const QuickLook later = toi_.t_upper == toi_.t ? end : look(toi_.t_upper, end.gap.normal, fine());
+        const double over = later.gap.upper - core_target_;
+        if (over > rounding_ - blur_) return false;
+        if (over + blur_ > 0 && !later.gap.overlap) strict_ = false;
+        return true;
+    }
+
+    /// Contact at the start, seen but for how deep it is.
+    Doubt touching()
+    {
+        if (toi_.t != 0 || q_.options.start_contact == StartContact::ignore) return Doubt::start;
+        const QuickLook start = look(0, quick(toi_.normal), {blur_ / 16, 0, 0});
+        if (start.gap.overlap) return Doubt::contact;
+        const double over = start.gap.upper - core_target_;
+        if (over > rounding_ - blur_) return Doubt::start;
+        if (over + blur_ > 0) strict_ = false;
+        return contact(start) ? Doubt::nothing : Doubt::contact;
+    }
+
+    /// Gap, normal and points, as the referee judges them.
+    bool contact(const QuickLook& at)
+    {
+        if (q_.options.detail != Detail::contact) return true;
+        const bool round = curved(q_.a) || curved(q_.b);
+        const double exact = 4 * rounding_;
+        const auto up_to = [&](double part) {
+            return exact - blur_ + (round ? std::max(q_.options.tolerance / 32, part * pair_.scale()) : 0);
+        };
+        const double close = up_to(0x1p-30), near = up_to(0x1p-20);
+        QuickGap truth = at.gap;
+        const bool loose_look = truth.upper - truth.lower > blur_;
+        if (loose_look) truth = look(at.t, truth.normal, {blur_ / 16, 0, 0}).gap;
+        const double lower = truth.lower - pair_.radii(), upper = truth.upper - pair_.radii();
+        if (!(toi_.gap <= upper + close && toi_.gap >= lower - close)) return false;
+        if (upper - lower > close) return false;
+        const bool directed = dot(quick(toi_.normal), quick(toi_.normal)) > 0.25;
+        if (!directed && truth.lower > close) return false;
+        const double loose = std::max(q_.options.tolerance, 1e-6 * pair_.scale()) - blur_;
+        if (directed && !(quick_separation(at.a, at.b, quick(toi_.normal)) >= truth.lower - loose)) return false;
+        const double world = 32 * eps * (toi_.point_a.norm() + toi_.point_b.norm());
+        const auto off = [&](const QuickPlace& place, const Vec3& point) {
+            const Quick3 p = quick(point - pair_.origin()) - at.t * quick(q_.motion_b.translation) - place.pivot;
+            return quick_distance(place, p, blur_ / 16) - place.body->radius;
+        };
+        const double most = std::max(off(at.a, toi_.point_a), off(at.b, toi_.point_b));
+        if (!(most <= near + world)) return false;
+        const Vec3 apart = toi_.point_b - toi_.point_a - toi_.gap * toi_.normal;
+        return !directed || norm(quick(apart)) <= exact - blur_ + world;
+    }
+
+    const Query& q_;
+    const Toi& toi_;
+    QuickPair pair_;
+    double blur_, rounding_, core_target_;
+    bool strict_ = true;
+    Quick out_;
+};
+
+} // namespace
+
+Quick quick_judge(const Query& q, const Toi& toi) { return Judge(q, toi).judge(); }
+
+} // namespace brink::support

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "quick_gap.h"
+
+#include <optional>
+
+/// Whether two moving shapes stay apart over a time, in doubles: each place looked at proves a time about it
+/// by the two supporting planes there and a bound of how every point can move against them.
+namespace brink::support {
+
+class QuickPair {
+public:
+    /// A valid query, of which at most one shape is unbounded.
+    explicit QuickPair(const Query&);
+
+    const QuickBody& a() const { return a_; }
+    const QuickBody& b() const { return b_; }
+    double radii() const { return a_.radius + b_.radius; }
+    const Vec3& origin() const { return origin_; }
+
+    /// S of design promise 3.
+    double scale() const { return scale_; }
+
+    /// How far rounding may move a gap that is computed here, in units of 2^-53 of the scale: 3 for the angle
+    /// and 2 for its sine, 4 for the axis, 4 for the turn, 6 for the start, 5 for the sums: 24.
+    double blur() const { return 12 * 0x1p-52 * scale_; }
+
+private:
+    Vec3 origin_;
+    QuickBody a_, b_;
+    double scale_ = 0;
+};
+
+/// The pair at one time, and its gap.
+struct QuickLook {
+    double t = 0;
+    QuickPlace a, b;
+    QuickGap gap; // of the cores
+    QuickLook(const QuickPair&, double t, const Quick3& hint, const QuickEffort&);
+};
+
+/// How long from a look, forwards or backwards in time, at most `most` > 0, the cores stay more than `level`
+/// apart. `toward` is the normal of another look at that side, if there is one, after `after` > 0.
+struct QuickToward {
+    Quick3 normal;
+    double after = 0;
+};
+enum class QuickWay : signed char { back = -1, on = 1 };
+double quick_reach(const QuickPair&, const QuickLook&, QuickWay, double most, double level,
+                   const std::optional<QuickToward>&);
+
+/// Whether the cores are proven more than `level` apart over all the time between two looks; false where
+/// that takes more than `budget` looks, or is not so. Adds the looks taken to `looks`.
+struct QuickProof {
+    bool apart = false;
+    int looks = 0;
+};
+QuickProof quick_apart(const QuickPair&, const QuickLook& from, const QuickLook& to, double level, int budget);
+
+} // namespace brink::support
