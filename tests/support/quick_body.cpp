@@ -123,7 +123,7 @@ Quick3 on_disc(double girth, double z, const Quick3& d)
     return {s * d.x, s * d.y, z};
 }
 
-Quick3 least_of(const QuickBody& body, const Quick3& d)
+Quick3 least_on(const QuickBody& body, std::size_t part, const Quick3& d)
 {
     if (body.kind == QuickBody::Kind::ellipsoid) {
         const Quick3& r = body.radii;
@@ -133,11 +133,29 @@ Quick3 least_of(const QuickBody& body, const Quick3& d)
         const double s = -1 / length;
         return {s * r.x * grown.x, s * r.y * grown.y, s * r.z * grown.z};
     }
-    if (body.kind == QuickBody::Kind::cylinder)
-        return on_disc(body.girth, d.z < 0 ? body.half_length : -body.half_length, d);
-    const Quick3 apex{0, 0, body.half_length};
-    const Quick3 rim = on_disc(body.girth, -body.half_length, d);
+    const bool top = part == 1;
+    if (top && body.kind == QuickBody::Kind::cone) return {0, 0, body.half_length};
+    return on_disc(body.girth, top ? body.half_length : -body.half_length, d);
+}
+
+Quick3 least_of(const QuickBody& body, const Quick3& d)
+{
+    if (body.kind == QuickBody::Kind::ellipsoid) return least_on(body, 0, d);
+    if (body.kind == QuickBody::Kind::cylinder) return least_on(body, d.z < 0 ? 1 : 0, d);
+    const Quick3 rim = least_on(body, 0, d);
+    const Quick3 apex = least_on(body, 1, d);
     return dot(d, apex) <= dot(d, rim) ? apex : rim;
+}
+
+/// How far the parts of a curved core reach, of the corners of a box around it.
+std::vector<double> of_parts(const QuickBody& body, const std::vector<double>& corners, double apex)
+{
+    const auto most = [&](std::size_t from, std::size_t to) {
+        return *std::max_element(corners.begin() + static_cast<std::ptrdiff_t>(from),
+                                 corners.begin() + static_cast<std::ptrdiff_t>(to));
+    };
+    if (body.kind == QuickBody::Kind::ellipsoid) return {most(0, 8)};
+    return {most(0, 4), body.kind == QuickBody::Kind::cone ? apex : most(4, 8)};
 }
 
 } // namespace
@@ -159,17 +177,19 @@ QuickBody quick_body(const Shape& shape, const Motion& m, const Vec3& origin)
     out.rate = norm(out.rotation);
     out.centre = -arm;
     out.offset -= dot(out.normal, arm);
-    const bool single = out.points.empty();
+    const Quick3 axis = out.rate > 0 ? (1 / out.rate) * out.rotation : Quick3{};
+    const auto reach = [&](const Quick3& p) { return norm(p - arm) * (1 + 0x1p-40); };
+    const auto swing = [&](const Quick3& p) {
+        return norm(cross(axis, out.start * (p - arm))) + 0x1p-40 * norm(p - arm); // outweighs the rounding
+    };
     for (const Quick3& p : own) {
-        const Quick3 x = out.start * (p - arm);
-        // Outweighs the rounding of either.
-        out.reach.push_back(norm(x) * (1 + 0x1p-40));
-        out.swing.push_back(out.rate > 0 ? norm(cross((1 / out.rate) * out.rotation, x)) + 0x1p-40 * norm(x)
-                                         : 0);
+        out.reach.push_back(reach(p));
+        out.swing.push_back(swing(p));
     }
-    if (single && !own.empty()) {
-        out.reach = {*std::max_element(out.reach.begin(), out.reach.end())};
-        out.swing = {*std::max_element(out.swing.begin(), out.swing.end())};
+    if (out.points.empty() && !own.empty()) {
+        const Quick3 apex{0, 0, out.half_length};
+        out.reach = of_parts(out, out.reach, reach(apex));
+        out.swing = of_parts(out, out.swing, swing(apex));
     }
     for (Quick3& p : out.points)
         p = p - arm;
@@ -186,6 +206,11 @@ QuickPlace::QuickPlace(const QuickBody& of, double t)
         points.push_back(axes * p);
     centre = axes * of.centre;
     normal = axes * of.normal;
+}
+
+Quick3 QuickPlace::least_of_part(std::size_t part, const Quick3& d) const
+{
+    return centre + axes * least_on(*body, part, transposed_times(axes, d));
 }
 
 QuickPlace::Least QuickPlace::least(const Quick3& d) const

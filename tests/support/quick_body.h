@@ -19,7 +19,7 @@ struct QuickBody {
     bool two_sided = false;           // of ground: a plane
     double radius = 0;                // what the core is grown by
     std::vector<Quick3> points;       // of whose hull the core is; else empty
-    std::vector<double> reach, swing; // of each point, or of the whole: from the pivot, from the axis turned about
+    std::vector<double> reach, swing; // of each point, or of each part: from the pivot, from the axis turned about
     Quick3 centre;                    // of a curved core, from the pivot
     Quick3 radii;                     // ellipsoid
     double half_length = 0, girth = 0;
@@ -50,6 +50,10 @@ struct QuickPlace {
         std::size_t index = 0;
     };
     Least least(const Quick3& d) const;
+
+    /// Of one part of a curved core, which is the hull of its parts: cylinder, its two discs; cone, its apex
+    /// and its disc; ellipsoid, itself.
+    Quick3 least_of_part(std::size_t part, const Quick3& d) const;
 };
 
 } // namespace brink::support

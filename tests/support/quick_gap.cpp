@@ -133,6 +133,18 @@ Quick3 mixed(const Simplex& s, Quick3 Corner::*of)
     return out;
 }
 
+/// The longest way between two corners on one body.
+Quick3 longest(const Simplex& s, Quick3 Corner::*of)
+{
+    Quick3 out;
+    for (std::size_t i = 0; i + 1 < s.count; ++i)
+        for (std::size_t j = i + 1; j < s.count; ++j) {
+            const Quick3 way = s.corner[j].*of - s.corner[i].*of;
+            if (dot(way, way) > dot(out, out)) out = way;
+        }
+    return out;
+}
+
 /// The body's height over ground that is `sign` times its normal up, from A to B or from B to A.
 QuickGap over_ground(const QuickPlace& body, const QuickPlace& ground)
 {
@@ -194,6 +206,8 @@ QuickGap quick_gap(const QuickPlace& a, const QuickPlace& b, const Quick3& hint,
             out.upper = apart;
             out.point_a = at_a;
             out.point_b = at_b;
+            out.edge_a = longest(simplex, &Corner::a);
+            out.edge_b = longest(simplex, &Corner::b);
         }
         const Quick3 n = (1 / length) * nearest.point();
         const Corner next = corner(n);

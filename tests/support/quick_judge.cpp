@@ -9,7 +9,7 @@ namespace brink::support {
 namespace {
 
 constexpr double eps = 0x1p-52;
-constexpr int most_looks = 96;
+constexpr int most_looks = 4096;
 
 Quick3 quick(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -66,16 +66,44 @@ private:
         if (toi_.status == Status::touching) return touching();
         const QuickLook start = look(0, {}, rough());
         const double over = start.gap.lower - core_target_;
-        if (ignores() ? over <= rounding_ + blur_ : over <= blur_ - rounding_) return Doubt::start;
+        if (ignores() && over <= rounding_ + blur_) return ignored(start);
+        if (over <= blur_ - rounding_) return Doubt::start;
         if (toi_.t == 0) return at_end(start, start);
         QuickLook end = look(toi_.t, quick(toi_.normal), toi_.status == Status::hit ? fine() : rough());
         return at_end(start, end);
     }
 
-    /// Apart from the start to the end, and at the end as near as a hit must be.
-    Doubt at_end(const QuickLook& start, const QuickLook& end)
+    /// Contact at the start that is ignored: looks for where the gap first exceeds the target, between which
+    /// an excursion may be passed over (in the answer's favour), and judges what comes after.
+    Doubt ignored(const QuickLook& start)
     {
-        const double lower = std::max(end.gap.lower, along_claimed(end)) - core_target_;
+        constexpr double soonest = 0x1p-14, latest = 0x1p-6;
+        strict_ = false;
+        double highest = start.gap.overlap ? 0 : start.gap.upper;
+        double t = 0;
+        Quick3 normal = start.gap.normal;
+        while (t < toi_.t) {
+            t = std::min(toi_.t, t + std::clamp(t / 4, soonest, latest));
+            const QuickLook here = look(t, normal, fine());
+            normal = here.gap.normal;
+            const bool falls = !here.gap.overlap && here.gap.upper < highest - rounding_ / 2;
+            if (falls && q_.options.start_contact == StartContact::ignore_if_separating) return Doubt::start;
+            highest = std::max(highest, here.gap.upper);
+            if (here.gap.lower <= core_target_ + rounding_ + blur_) continue;
+            const auto effort = toi_.status == Status::hit ? fine() : rough();
+            return t < toi_.t ? at_end(here, look(toi_.t, quick(toi_.normal), effort)) : at_end(here, here);
+        }
+        return toi_.status == Status::hit ? Doubt::start : Doubt::nothing;
+    }
+
+    /// Apart from the start to the end, and at the end as near as a hit must be.
+    Doubt at_end(const QuickLook& start, QuickLook end)
+    {
+        // Near contact the answer's normal may be the better of the two: whichever it is, planes prove.
+        end.try_normal(quick(toi_.normal));
+        if (end.gap.lower - core_target_ <= blur_ && end.gap.upper > core_target_)
+            end.try_normal(pair_.better_normal(end.t));
+        const double lower = end.gap.lower - core_target_;
         if (end.gap.overlap || lower <= blur_ - rounding_) return Doubt::apart;
         if (lower <= blur_) strict_ = false;
         if (!apart(start, end)) return Doubt::apart;
@@ -85,23 +113,15 @@ private:
         return contact(end) ? Doubt::nothing : Doubt::contact;
     }
 
-    double along_claimed(const QuickLook& at) const
+    bool apart(const QuickLook& start, const QuickLook& end)
     {
-        const Quick3 n = quick(toi_.normal);
-        const bool unit = std::abs(dot(n, n) - 1) <= 16 * eps;
-        return unit ? quick_separation(at.a, at.b, n) : -infinity;
+        if (strict_ && apart(start, end, core_target_ + blur_)) return true;
+        strict_ = false;
+        return out_.looks < most_looks && apart(start, end, core_target_ + blur_ - rounding_);
     }
 
-    bool apart(const QuickLook& start, QuickLook end)
+    bool apart(const QuickLook& start, const QuickLook& end, double level)
     {
-        // Near contact the answer's normal may be the better of the two: whichever it is, planes prove.
-        const double claimed = along_claimed(end);
-        const bool ground = pair_.a().kind == QuickBody::Kind::ground || pair_.b().kind == QuickBody::Kind::ground;
-        if (!ground && claimed > end.gap.lower) {
-            end.gap.lower = claimed;
-            end.gap.normal = quick(toi_.normal);
-        }
-        const double level = core_target_ + (strict_ ? blur_ : blur_ - rounding_);
         const QuickProof proof = quick_apart(pair_, start, end, level, most_looks);
         out_.looks += proof.looks;
         return proof.apart;

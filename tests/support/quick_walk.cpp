@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "quick_walk.h"
 
+#include "reference.h"
+
 #include <algorithm>
-#include <array>
-#include <utility>
 
 namespace brink::support {
 namespace {
@@ -26,30 +26,37 @@ struct Arc {
 
 Arc operator+(const Arc& x, const Arc& y) { return {x.at + y.at, x.rate + y.rate, x.bend + y.bend}; }
 
-/// How one body's points move against an axis that starts as n and turns: along n from the pivot they change
-/// by `turning`, and no faster than `bend` times how far they are from the pivot does that change.
+/// How one body's points move against an axis that starts as n and turns: along n from `base` they change by
+/// `turning`, and no faster than `bend` times how far they are from it does that change.
 struct Side {
     const QuickPlace* place = nullptr;
     Quick3 n, turning;
     double bend = 0;
     bool by_swing = false; // the axis is at rest: points count by how far they are from the axis of turning
-    double ground = 0;     // of ground: all there is
+    bool turns = true;
+    Quick3 base;       // the pivot; of a body that does not turn its nearest point, for any will do
+    double ground = 0; // of ground: all there is
+
+    double far(std::size_t i) const
+    {
+        if (bend == 0) return 0;
+        if (turns) return by_swing ? place->body->swing[i] : place->body->reach[i];
+        if (!place->points.empty()) return norm(place->points[i] - base) * (1 + 0x1p-40);
+        return place->body->reach[i] + norm(base) * (1 + 0x1p-40);
+    }
 
     /// That of the point which is least after h.
     Arc least(double h) const
     {
         const QuickBody& body = *place->body;
         if (body.kind == Kind::ground) return {ground, 0, 0};
-        const std::vector<double>& far = by_swing ? body.swing : body.reach;
-        if (place->points.empty()) {
-            const Quick3 p = place->least(n + h * turning).point;
-            return {dot(n, p), dot(turning, p), bend * far[0]};
-        }
         Arc best;
         double lowest = infinity;
-        for (std::size_t i = 0; i < place->points.size(); ++i) {
-            const Quick3& p = place->points[i];
-            const Arc arc{dot(n, p), dot(turning, p), bend * far[i]};
+        const bool parts = place->points.empty();
+        const std::size_t count = parts ? body.reach.size() : place->points.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Quick3 p = (parts ? place->least_of_part(i, n + h * turning) : place->points[i]) - base;
+            const Arc arc{dot(n, p), dot(turning, p), bend * far(i)};
             const double here = arc.after(h);
             if (here >= lowest) continue;
             lowest = here;
@@ -70,23 +77,23 @@ public:
     Certificate(const QuickLook& at, const Quick3& v, const Quick3& om, double most, double level)
         : most_(std::abs(most))
     {
-        const Quick3 d = at.b.pivot - at.a.pivot;
         const Quick3& n = at.gap.normal;
         const Quick3 eta = cross(om, n);
         const double sign = most < 0 ? -1 : 1;
+        a_ = side(at.a, -n, om, sign, at.gap.point_a);
+        b_ = side(at.b, n, om, sign, at.gap.point_b);
+        const Quick3 d = at.b.pivot - at.a.pivot + (b_.base - a_.base);
         const double turn = norm(eta);
         const double far = std::max(norm(d), norm(d + most * v));
         base_ = {dot(n, d) - level, sign * (dot(n, v) + dot(eta, d)),
-                 norm(om) * turn * far + 2 * turn * norm(v)};
-        a_ = side(at.a, -n, om, sign);
-        b_ = side(at.b, n, om, sign);
+                 (norm(om) * turn * far + 2 * turn * norm(v)) * (1 + 0x1p-40)};
     }
 
     /// How far it holds: by the tangents of a concave function, from outside, then by a chord.
     double holds() const
     {
         double h = most_;
-        double start = sum(0).at;
+        const double start = sum(0).at;
         if (!(start > 0)) return 0;
         for (int i = 0; i < 5; ++i) {
             const Arc arc = sum(h);
@@ -103,7 +110,8 @@ public:
 private:
     Arc sum(double h) const { return base_ + a_.least(h) + b_.least(h); }
 
-    static Side side(const QuickPlace& place, const Quick3& n, const Quick3& om, double sign)
+    static Side side(const QuickPlace& place, const Quick3& n, const Quick3& om, double sign,
+                     const Quick3& nearest)
     {
         Side out;
         out.place = &place;
@@ -119,7 +127,9 @@ private:
         out.by_swing = dot(om, om) == 0;
         out.turning = sign * m;
         const double along = out.by_swing ? norm(m) : norm(d);
-        out.bend = norm(cross(w, om)) + along * norm(d);
+        out.bend = (norm(cross(w, om)) + along * norm(d)) * (1 + 0x1p-40);
+        out.turns = place.body->rate > 0;
+        if (!out.turns && !out.by_swing) out.base = nearest;
         return out;
     }
 
@@ -143,13 +153,35 @@ double balls_hold(const QuickLook& at, const Quick3& v, double sign, double most
     return closing * most <= apart ? most : apart / closing * (1 - 0x1p-40);
 }
 
+/// The turning that keeps the axis across the edges of both bodies on which the nearest points lie, to first
+/// order: eta . e = -n . (w x e) for each. Zero where there is no edge.
+Quick3 along_edges(const QuickLook& at)
+{
+    const Quick3& n = at.gap.normal;
+    const auto flat = [&](const Quick3& e) { return e - dot(n, e) * n; };
+    const Quick3 e = flat(at.gap.edge_a), f = flat(at.gap.edge_b);
+    const double p = -dot(n, cross(at.a.body->rotation, at.gap.edge_a));
+    const double q = -dot(n, cross(at.b.body->rotation, at.gap.edge_b));
+    const double ee = dot(e, e), ff = dot(f, f), ef = dot(e, f);
+    const double bent = ee * ff - ef * ef;
+    Quick3 eta;
+    if (bent > 1e-12 * ee * ff)
+        eta = ((p * ff - q * ef) / bent) * e + ((q * ee - p * ef) / bent) * f;
+    else if (ee >= ff && ee > 0)
+        eta = (p / ee) * e;
+    else if (ff > 0)
+        eta = (q / ff) * f;
+    return cross(n, eta);
+}
+
 /// The turning that takes one unit normal to another, to first order.
 Quick3 secant(const Quick3& from, const Quick3& to, double after) { return (1 / after) * cross(from, to); }
 
 } // namespace
 
 QuickPair::QuickPair(const Query& q)
-    : origin_(q.motion_b.start.position),
+    : query_(q),
+      origin_(q.motion_b.start.position),
       a_(quick_body(q.a, q.motion_a, origin_)),
       b_(quick_body(q.b, q.motion_b, origin_))
 {
@@ -165,9 +197,26 @@ QuickPair::QuickPair(const Query& q)
     b_.velocity = {};
 }
 
+Quick3 QuickPair::better_normal(double t) const
+{
+    const Vec3 n = rounded(GapOverTime(query_).at(t).normal);
+    return {n.x(), n.y(), n.z()};
+}
+
 QuickLook::QuickLook(const QuickPair& pair, double when, const Quick3& hint, const QuickEffort& effort)
     : t(when), a(pair.a(), when), b(pair.b(), when), gap(quick_gap(a, b, hint, effort))
 {
+}
+
+void QuickLook::try_normal(const Quick3& n)
+{
+    const bool ground = a.body->kind == Kind::ground || b.body->kind == Kind::ground;
+    const bool unit = std::abs(dot(n, n) - 1) <= 16 * 0x1p-52;
+    const double lower = unit && !ground ? quick_separation(a, b, n) : gap.lower;
+    if (!(lower > gap.lower)) return;
+    gap.lower = lower;
+    gap.normal = n;
+    if (lower > 0) gap.overlap = false;
 }
 
 double quick_reach(const QuickPair& pair, const QuickLook& at, QuickWay way, double most, double level,
@@ -182,6 +231,9 @@ double quick_reach(const QuickPair& pair, const QuickLook& at, QuickWay way, dou
     if (best >= most) return best;
     if (toward && dot(toward->normal, at.gap.normal) > 0.5)
         best = std::max(best, reach(sign * secant(at.gap.normal, toward->normal, toward->after)));
+    if (best >= most) return best;
+    const Quick3 edges = along_edges(at);
+    if (dot(edges, edges) > 0) best = std::max(best, reach(edges));
     for (const QuickBody* body : {&pair.a(), &pair.b()})
         if (best < most && body->rate > 0) best = std::max(best, reach(body->rotation));
     return best;
@@ -216,7 +268,8 @@ QuickProof quick_apart(const QuickPair& pair, const QuickLook& from, const Quick
         const double middle = s.from + (s.to - s.from) / 2;
         if (out.looks >= budget || !(middle > s.from && middle < s.to)) return out;
         ++out.looks;
-        const QuickLook look(pair, middle, s.n_from + s.n_to, {0, 0.1, level});
+        QuickLook look(pair, middle, s.n_from + s.n_to, {0, 0.1, level});
+        if (!(look.gap.lower > level) && look.gap.upper > level) look.try_normal(pair.better_normal(middle));
         if (!(look.gap.lower > level)) return out;
         const Quick3& n = look.gap.normal;
         const double before = quick_reach(pair, look, QuickWay::back, middle - s.from, level,

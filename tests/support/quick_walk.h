@@ -11,13 +11,16 @@ namespace brink::support {
 
 class QuickPair {
 public:
-    /// A valid query, of which at most one shape is unbounded.
+    /// A valid query, of which at most one shape is unbounded. It must live as long.
     explicit QuickPair(const Query&);
 
     const QuickBody& a() const { return a_; }
     const QuickBody& b() const { return b_; }
     double radii() const { return a_.radius + b_.radius; }
     const Vec3& origin() const { return origin_; }
+
+    /// From A to B at t, in long double: where doubles find no direction that is good enough.
+    Quick3 better_normal(double t) const;
 
     /// S of design promise 3.
     double scale() const { return scale_; }
@@ -27,6 +30,7 @@ public:
     double blur() const { return 12 * 0x1p-52 * scale_; }
 
 private:
+    const Query& query_;
     Vec3 origin_;
     QuickBody a_, b_;
     double scale_ = 0;
@@ -38,6 +42,9 @@ struct QuickLook {
     QuickPlace a, b;
     QuickGap gap; // of the cores
     QuickLook(const QuickPair&, double t, const Quick3& hint, const QuickEffort&);
+
+    /// Takes supporting planes along another unit normal, if they are farther apart.
+    void try_normal(const Quick3&);
 };
 
 /// How long from a look, forwards or backwards in time, at most `most` > 0, the cores stay more than `level`
