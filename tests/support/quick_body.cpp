@@ -27,10 +27,14 @@ SineCosine sine_cosine(double angle)
     const double sine = r + r * s;
     const double cosine = 1 - x / 2 * (1 + c);
     switch (static_cast<long long>(quarters) & 3) {
-    case 0: return {sine, cosine};
-    case 1: return {cosine, -sine};
-    case 2: return {-sine, -cosine};
-    default: return {-cosine, sine};
+    case 0:
+        return {sine, cosine};
+    case 1:
+        return {cosine, -sine};
+    case 2:
+        return {-sine, -cosine};
+    default:
+        return {-cosine, sine};
     }
 }
 
@@ -95,10 +99,7 @@ struct Describe {
         for (const Vec3& p : s.vertices())
             out.points.push_back(quick(p));
     }
-    void operator()(const Cylinder& s) const
-    {
-        round(QuickBody::Kind::cylinder, s.half_length, s.radius);
-    }
+    void operator()(const Cylinder& s) const { round(QuickBody::Kind::cylinder, s.half_length, s.radius); }
     void operator()(const Cone& s) const { round(QuickBody::Kind::cone, s.half_length, s.radius); }
     void operator()(const Ellipsoid& s) const
     {

@@ -16,12 +16,13 @@ using Quick3 = Vector<double>;
 struct QuickBody {
     enum class Kind : unsigned char { points, cylinder, cone, ellipsoid, ground };
     Kind kind = Kind::points;
-    bool two_sided = false;           // of ground: a plane
-    double radius = 0;                // what the core is grown by
-    std::vector<Quick3> points;       // of whose hull the core is; else empty
-    std::vector<double> reach, swing; // of each point, or of each part: from the pivot, from the axis turned about
-    Quick3 centre;                    // of a curved core, from the pivot
-    Quick3 radii;                     // ellipsoid
+    bool two_sided = false;     // of ground: a plane
+    double radius = 0;          // what the core is grown by
+    std::vector<Quick3> points; // of whose hull the core is; else empty
+    std::vector<double> reach,
+        swing;     // of each point, or of each part: from the pivot, from the axis turned about
+    Quick3 centre; // of a curved core, from the pivot
+    Quick3 radii;  // ellipsoid
     double half_length = 0, girth = 0;
     Quick3 normal;     // of ground, unit
     double offset = 0; // of ground, from the pivot

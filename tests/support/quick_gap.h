@@ -11,15 +11,15 @@ struct QuickGap {
     double lower = 0, upper = 0; // between the cores; radii do not count
     Quick3 normal;               // unit, from A to B
     Quick3 point_a, point_b;     // of the cores, from their pivots
-    Quick3 edge_a, edge_b;       // between two points of a core that the nearest point lies between; else zero
-    bool overlap = false;        // the cores hold a common point: how deep is not known, and both bounds are 0
+    Quick3 edge_a, edge_b; // between two points of a core that the nearest point lies between; else zero
+    bool overlap = false;  // the cores hold a common point: how deep is not known, and both bounds are 0
 };
 
 /// When the bounds are near enough.
 struct QuickEffort {
     double enough = 0;           // a length, or ...
-    double share = 0, level = 0; // ... this share of how far the lower bound is above the level; with a share an
-                                 // upper bound that is not above the level is enough too
+    double share = 0, level = 0; // ... this share of how far the lower bound is above the level; with a share
+                                 // an upper bound that is not above the level is enough too
 };
 
 /// By GJK (E. Gilbert, D. Johnson, S. Keerthi 1988), from a direction from A to B; any will do. One of the

@@ -39,7 +39,8 @@ public:
     Quick judge()
     {
         out_.doubt = doubt();
-        if (out_.doubt == Doubt::nothing) out_.acquittal = strict_ ? Acquittal::strict : Acquittal::to_rounding;
+        if (out_.doubt == Doubt::nothing)
+            out_.acquittal = strict_ ? Acquittal::strict : Acquittal::to_rounding;
         return out_;
     }
 
@@ -185,10 +186,12 @@ private:
         const bool directed = dot(quick(toi_.normal), quick(toi_.normal)) > 0.25;
         if (!directed && truth.lower > close) return false;
         const double loose = std::max(q_.options.tolerance, 1e-6 * pair_.scale()) - blur_;
-        if (directed && !(quick_separation(at.a, at.b, quick(toi_.normal)) >= truth.lower - loose)) return false;
+        if (directed && !(quick_separation(at.a, at.b, quick(toi_.normal)) >= truth.lower - loose))
+            return false;
         const double world = 32 * eps * (toi_.point_a.norm() + toi_.point_b.norm());
         const auto off = [&](const QuickPlace& place, const Vec3& point) {
-            const Quick3 p = quick(point - pair_.origin()) - at.t * quick(q_.motion_b.translation) - place.pivot;
+            const Quick3 p =
+                quick(point - pair_.origin()) - at.t * quick(q_.motion_b.translation) - place.pivot;
             return quick_distance(place, p, blur_ / 16) - place.body->radius;
         };
         const double most = std::max(off(at.a, toi_.point_a), off(at.b, toi_.point_b));

@@ -188,8 +188,8 @@ QuickPair::QuickPair(const Query& q)
     // Of the positions as of the drift, only the difference counts.
     const Quick3 apart = vector_of<double>(q.motion_a.start.position - q.motion_b.start.position);
     const Quick3 by = b_.velocity - a_.velocity;
-    scale_ = norm(apart) + norm(by) + (1 + a_.rate) * a_.extent + (1 + b_.rate) * b_.extent +
-             q.options.target_gap;
+    scale_ =
+        norm(apart) + norm(by) + (1 + a_.rate) * a_.extent + (1 + b_.rate) * b_.extent + q.options.target_gap;
     const double span = std::max(norm(b_.pivot - a_.pivot), norm(b_.pivot - a_.pivot + by));
     if (a_.kind == Kind::ground) scale_ += a_.rate * (span + b_.extent);
     if (b_.kind == Kind::ground) scale_ += b_.rate * (span + a_.extent);
@@ -259,7 +259,8 @@ QuickProof quick_apart(const QuickPair& pair, const QuickLook& from, const Quick
     if (!(span > 0)) return {true, 0};
     const double on = quick_reach(pair, from, QuickWay::on, span, level, QuickToward{to.gap.normal, span});
     if (on >= span) return {true, 0};
-    const double back = quick_reach(pair, to, QuickWay::back, span, level, QuickToward{from.gap.normal, span});
+    const double back =
+        quick_reach(pair, to, QuickWay::back, span, level, QuickToward{from.gap.normal, span});
     std::vector<Stretch> open{{from.t + on, to.t - back, from.t, to.t, from.gap.normal, to.gap.normal}};
     while (!open.empty()) {
         const Stretch s = open.back();
@@ -274,8 +275,8 @@ QuickProof quick_apart(const QuickPair& pair, const QuickLook& from, const Quick
         const Quick3& n = look.gap.normal;
         const double before = quick_reach(pair, look, QuickWay::back, middle - s.from, level,
                                           QuickToward{s.n_from, middle - s.t_from});
-        const double after = quick_reach(pair, look, QuickWay::on, s.to - middle, level,
-                                         QuickToward{s.n_to, s.t_to - middle});
+        const double after =
+            quick_reach(pair, look, QuickWay::on, s.to - middle, level, QuickToward{s.n_to, s.t_to - middle});
         open.push_back({s.from, middle - before, s.t_from, middle, s.n_from, n});
         open.push_back({middle + after, s.to, middle, s.t_to, n, s.n_to});
     }

@@ -63,6 +63,7 @@ struct QuickProof {
     bool apart = false;
     int looks = 0;
 };
-QuickProof quick_apart(const QuickPair&, const QuickLook& from, const QuickLook& to, double level, int budget);
+QuickProof quick_apart(const QuickPair&, const QuickLook& from, const QuickLook& to, double level,
+                       int budget);
 
 } // namespace brink::support
