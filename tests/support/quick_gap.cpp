@@ -195,7 +195,10 @@ QuickGap quick_gap(const QuickPlace& a, const QuickPlace& b, const Quick3& hint,
         const double length = std::sqrt(nearest.squared());
         const bool sliver = any && out.lower > 0; // a plane between them says no to four points that hold 0
         out.overlap = (simplex.count == 4 || length == 0) && !sliver;
-        if (out.overlap) out.lower = out.upper = 0;
+        if (out.overlap) {
+            out.lower = -infinity;
+            out.upper = 0;
+        }
         if (out.overlap || simplex.count == 4 || length == 0) return out;
         const Quick3 at_a = mixed(simplex, &Corner::a);
         const Quick3 at_b = mixed(simplex, &Corner::b);

@@ -12,7 +12,8 @@ struct QuickGap {
     Quick3 normal;               // unit, from A to B
     Quick3 point_a, point_b;     // of the cores, from their pivots
     Quick3 edge_a, edge_b; // between two points of a core that the nearest point lies between; else zero
-    bool overlap = false;  // the cores hold a common point: how deep is not known, and both bounds are 0
+    bool overlap =
+        false; // the cores hold a common point: how deep is not known, and `lower` is -infinity, `upper` 0
 };
 
 /// When the bounds are near enough.

@@ -9,7 +9,7 @@ namespace brink::support {
 namespace {
 
 constexpr double eps = 0x1p-52;
-constexpr int most_looks = 4096;
+constexpr int most_looks = 32768;
 
 Quick3 quick(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -65,13 +65,25 @@ private:
                              toi_.status != Status::invalid;
         if (!in_form) return Doubt::form;
         if (toi_.status == Status::touching) return touching();
-        const QuickLook start = look(0, {}, rough());
+        QuickLook start = look(0, {}, rough());
+        sharpen(start);
         const double over = start.gap.lower - core_target_;
         if (ignores() && over <= rounding_ + blur_) return ignored(start);
         if (over <= blur_ - rounding_) return Doubt::start;
         if (toi_.t == 0) return at_end(start, start);
         QuickLook end = look(toi_.t, quick(toi_.normal), toi_.status == Status::hit ? fine() : rough());
         return at_end(start, end);
+    }
+
+    /// Where the gap is near the target, or an overlap may be rounding, the answer's normal may be the best;
+    /// whichever it is, planes prove.
+    void sharpen(QuickLook& at) const
+    {
+        if (at.gap.lower > core_target_ + blur_) return;
+        at.try_normal(quick(toi_.normal));
+        const bool flat = at.gap.upper > core_target_ || (pair_.radii() == 0 && q_.options.target_gap == 0);
+        if (flat && at.gap.lower <= core_target_ + blur_ - rounding_)
+            at.try_normal(pair_.better_normal(at.t));
     }
 
     /// Contact at the start that is ignored: looks for where the gap first exceeds the target, between which
@@ -100,12 +112,9 @@ private:
     /// Apart from the start to the end, and at the end as near as a hit must be.
     Doubt at_end(const QuickLook& start, QuickLook end)
     {
-        // Near contact the answer's normal may be the better of the two: whichever it is, planes prove.
-        end.try_normal(quick(toi_.normal));
-        if (end.gap.lower - core_target_ <= blur_ && end.gap.upper > core_target_)
-            end.try_normal(pair_.better_normal(end.t));
+        sharpen(end);
         const double lower = end.gap.lower - core_target_;
-        if (end.gap.overlap || lower <= blur_ - rounding_) return Doubt::apart;
+        if (lower <= blur_ - rounding_) return Doubt::apart;
         if (lower <= blur_) strict_ = false;
         if (!apart(start, end)) return Doubt::apart;
         if (toi_.status != Status::hit) return Doubt::nothing;

@@ -216,7 +216,6 @@ void QuickLook::try_normal(const Quick3& n)
     if (!(lower > gap.lower)) return;
     gap.lower = lower;
     gap.normal = n;
-    if (lower > 0) gap.overlap = false;
 }
 
 double quick_reach(const QuickPair& pair, const QuickLook& at, QuickWay way, double most, double level,
