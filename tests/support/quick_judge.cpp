@@ -4,6 +4,7 @@
 #include "quick_walk.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace brink::support {
 namespace {
@@ -123,18 +124,32 @@ private:
         return contact(end) ? Doubt::nothing : Doubt::contact;
     }
 
+    /// Whether the shapes are apart in between; at the ends themselves they may touch but for rounding, where
+    /// they come nearer towards the end and part from the start. Rounding is no excuse for what lies between:
+    /// a thin core would pass through another.
     bool apart(const QuickLook& start, const QuickLook& end)
     {
-        if (strict_ && apart(start, end, core_target_ + blur_)) return true;
-        strict_ = false;
-        return out_.looks < most_looks && apart(start, end, core_target_ + blur_ - rounding_);
-    }
-
-    bool apart(const QuickLook& start, const QuickLook& end, double level)
-    {
-        const QuickProof proof = quick_apart(pair_, start, end, level, most_looks);
+        if (!(start.t < end.t)) return true;
+        const std::optional<QuickLook> from = cleared(start, 1), to = cleared(end, -1);
+        if (!from || !to || !(from->t < to->t)) return false;
+        const QuickProof proof = quick_apart(pair_, *from, *to, core_target_ + blur_, most_looks);
         out_.looks += proof.looks;
         return proof.apart;
+    }
+
+    /// The look, or one so near in time that no more than rounding lies between, where the gap is proven.
+    std::optional<QuickLook> cleared(const QuickLook& at, double way)
+    {
+        constexpr double most = 0x1p-30; // of a step
+        if (at.gap.lower > core_target_ + blur_) return at;
+        strict_ = false;
+        const double speed = -way * closing_speed(at);
+        if (!(speed > 0)) return std::nullopt;
+        for (double blurs = 4; blurs < 512 && blurs * blur_ <= most * speed; blurs *= 4) {
+            const QuickLook near = look(at.t + way * blurs * blur_ / speed, at.gap.normal, fine());
+            if (near.gap.lower > core_target_ + blur_) return near;
+        }
+        return std::nullopt;
     }
 
     /// Promise 3 at t; a hit at 0 must not stick to what recedes.
