@@ -52,9 +52,9 @@ bool by_doubles(Tally& tally, Trial& trial)
     return said != support::Acquittal::none;
 }
 
-Findings by_referee(Tally& tally, const Trial& trial)
+Findings by_referee(Tally& tally, const Trial& trial, Patience patience)
 {
-    const Ruled ruled = fuzz::ruled(trial.query(), trial.toi());
+    const Ruled ruled = fuzz::ruled(trial.query(), trial.toi(), patience);
     ++tally.ruled;
     if (ruled.in_digits) ++tally.in_digits;
     if (ruled.unsettled) ++tally.unsettled;
@@ -113,7 +113,9 @@ bool try_one(Tally& tally, const Pair& pair, Case& c)
     const bool odd = suspicious(c, acquitted) || !findings.empty();
     if (pair.has_reference() && summons.reference_knows && (odd || summons.reference))
         append(findings, by_reference(tally, c.trial));
-    if (judgeable(q) && (odd || summons.referee || !acquitted)) append(findings, by_referee(tally, c.trial));
+    const Patience patience = odd || summons.referee ? Patience::all : Patience::little;
+    if (judgeable(q) && (patience == Patience::all || !acquitted))
+        append(findings, by_referee(tally, c.trial, patience));
     const bool undecided = c.trial.toi().status == Status::undecided;
     if (!findings.empty() || undecided || summons.digits) append(findings, by_digits(tally, c));
     complain(tally, c, findings);
