@@ -28,8 +28,8 @@ bool for_breadth(std::uint64_t index) { return std::popcount(index) % 2 == 0; }
 
 support::Query drawn(const Pair& pair, std::uint64_t seed, std::uint64_t index)
 {
-    return for_breadth(index) ? query(pair, support::Family::any, seed, index)
-                              : campaign_query(pair, seed, index);
+    return for_breadth(index) ? query(pair, support::Family::any, seed, index, support::Aim::quick)
+                              : campaign_query(pair, seed, index, support::Aim::quick);
 }
 
 /// A block of one pair's cases.
@@ -37,8 +37,9 @@ Tally work(const Plan& plan, const Pair& pair, std::uint64_t begin, std::uint64_
 {
     std::vector<Case> cases;
     for (std::uint64_t i = begin; i < end; ++i) {
-        const Summons summons{for_breadth(i), i % plan.reference_every == 0, i % plan.rule_every == 0,
-                              i % plan.digits_every == 0, i % plan.witness_every == 0};
+        Summons summons{for_breadth(i), i % plan.reference_every == 0, i % plan.rule_every == 0,
+                        i % plan.digits_every == 0, i % plan.witness_every == 0};
+        summons.otherwise = i % plan.ask_every == 0;
         cases.push_back({i, Trial(drawn(pair, plan.seed, i)), summons});
     }
     return tried(pair, std::move(cases), witnesses);
@@ -128,6 +129,8 @@ std::string show(const Pair& pair, std::uint64_t seed, std::uint64_t index)
     const Statement said = witnesses.question(one).front();
     append(findings, said.against_brink);
     if (can_judge(trial.query())) {
+        const support::Quick& quick = trial.quick();
+        out += fmt::format("in doubles: {} of {} looks\n", in_words(quick), quick.looks);
         out += truth_in_words(trial.query());
         append(findings, ruled(trial.query(), trial.toi()).findings);
         append(findings, verified(trial.query(), trial.toi()));

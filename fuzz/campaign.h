@@ -13,7 +13,9 @@ struct Plan {
     std::uint64_t seed = 1;
     std::uint64_t first = 0;
     int threads = 1;
-    std::uint64_t rule_every = 1;     // every which case the referee judges; suspicious ones always
+    std::uint64_t ask_every = 1;  // every which case brink is asked in other ways too; suspicious ones always
+    std::uint64_t rule_every = 1; // every which case the referee judges; suspicious ones, and those that the
+                                  // judge in doubles does not acquit, always
     std::uint64_t digits_every = 500; // every which case it finds the contact of in 100 digits (closed forms
                                       // in 200 too); disputed and undecided ones always
     std::uint64_t reference_every = 16; // every which case the reference judges; suspicious ones always

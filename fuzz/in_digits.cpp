@@ -25,11 +25,13 @@ support::Findings named(support::Findings findings, const char* judge)
 
 } // namespace
 
-bool can_judge(const support::Query& q) { return support::judgeable(q); }
+bool can_judge(const support::Query& q) { return support::can_judge(q); }
 
-Ruled ruled(const support::Query& q, const Toi& toi)
+Ruled ruled(const support::Query& q, const Toi& toi, Patience patience)
 {
-    const support::Ruling ruling = support::rule(q, toi);
+    constexpr support::Budget little{1000, 40};
+    const support::Budget budget = patience == Patience::all ? support::Budget{} : little;
+    const support::Ruling ruling = support::rule(q, toi, budget);
     return {named(ruling.findings, "referee: "), ruling.unsettled, ruling.in_digits};
 }
 
@@ -78,7 +80,7 @@ void forget_digits() { mpfr_free_cache(); }
 #else
 
 bool can_judge(const support::Query&) { return false; }
-Ruled ruled(const support::Query&, const Toi&) { return {}; }
+Ruled ruled(const support::Query&, const Toi&, Patience) { return {}; }
 FirstContact first_contact(const support::Query&, const Toi&) { return {}; }
 support::Findings verified(const support::Query&, const Toi&) { return {}; }
 std::string truth_in_words(const support::Query&) { return {}; }

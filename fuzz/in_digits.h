@@ -15,7 +15,8 @@ struct Ruled {
     bool unsettled = false; // out of evaluations
     bool in_digits = false; // long double was not enough
 };
-Ruled ruled(const support::Query&, const Toi&);
+enum class Patience : unsigned char { little, all }; // little: a 40th of the evaluations, for mere doubts
+Ruled ruled(const support::Query&, const Toi&, Patience = Patience::all);
 
 /// First contact in 100 digits, beside the answer's.
 struct FirstContact {

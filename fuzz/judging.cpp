@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 namespace brink::fuzz {
@@ -15,9 +16,11 @@ namespace {
 using support::Findings;
 using support::Trial;
 
-bool suspicious(const Toi& toi)
+bool suspicious(const Case& c, bool acquitted)
 {
-    return toi.status == Status::undecided || toi.status == Status::invalid || toi.iterations > 64;
+    const Toi& toi = c.trial.toi();
+    const bool answered = toi.status != Status::undecided && toi.status != Status::invalid;
+    return !answered || (!acquitted && toi.iterations > 64);
 }
 
 void complain(Tally& tally, const Case& c, const Findings& findings)
@@ -39,9 +42,19 @@ Findings by_reference(Tally& tally, Trial& trial)
     return findings;
 }
 
-Findings by_referee(Tally& tally, const Trial& trial)
+/// In doubles, of every case. Whether it acquits.
+bool by_doubles(Tally& tally, Trial& trial)
 {
-    const Ruled ruled = fuzz::ruled(trial.query(), trial.toi());
+    const support::Acquittal said = trial.quick().acquittal;
+    ++tally.quick;
+    if (said == support::Acquittal::strict) ++tally.strict;
+    if (said == support::Acquittal::none) ++tally.unproven;
+    return said != support::Acquittal::none;
+}
+
+Findings by_referee(Tally& tally, const Trial& trial, Patience patience)
+{
+    const Ruled ruled = fuzz::ruled(trial.query(), trial.toi(), patience);
     ++tally.ruled;
     if (ruled.in_digits) ++tally.in_digits;
     if (ruled.unsettled) ++tally.unsettled;
@@ -89,11 +102,20 @@ bool try_one(Tally& tally, const Pair& pair, Case& c)
     const support::Query& q = c.trial.query();
     count(tally, c.trial.toi());
     if (!summons.valid && c.trial.toi().status == Status::invalid) return false;
-    Findings findings = judge_alone(c.trial);
-    const bool odd = suspicious(c.trial.toi()) || !findings.empty();
+    Findings findings = judge_form(c.trial);
+    const bool form = findings.empty() && c.trial.toi().status != Status::invalid;
+    const bool known = form && can_judge(q);
+    const bool acquitted = known && by_doubles(tally, c.trial);
+    if (form && (summons.otherwise || suspicious(c, acquitted))) {
+        ++tally.asked;
+        append(findings, judge_otherwise(c.trial));
+    }
+    const bool odd = suspicious(c, acquitted) || !findings.empty();
     if (pair.has_reference() && summons.reference_knows && (odd || summons.reference))
         append(findings, by_reference(tally, c.trial));
-    if (can_judge(q) && (odd || summons.referee)) append(findings, by_referee(tally, c.trial));
+    const Patience patience = odd || summons.referee ? Patience::all : Patience::little;
+    if (can_judge(q) && (patience == Patience::all || !acquitted))
+        append(findings, by_referee(tally, c.trial, patience));
     const bool undecided = c.trial.toi().status == Status::undecided;
     if (!findings.empty() || undecided || summons.digits) append(findings, by_digits(tally, c));
     complain(tally, c, findings);
@@ -105,6 +127,20 @@ bool try_one(Tally& tally, const Pair& pair, Case& c)
 void append(Findings& all, Findings more)
 {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+std::string in_words(const support::Quick& quick)
+{
+    constexpr std::array<const char*, 7> doubts{"nothing",
+                                                "the form",
+                                                "the start",
+                                                "apart before t",
+                                                "contact at t",
+                                                "t_upper",
+                                                "gap, normal and points"};
+    if (quick.acquittal == support::Acquittal::strict) return "acquitted";
+    if (quick.acquittal == support::Acquittal::to_rounding) return "acquitted but for rounding";
+    return fmt::format("in doubt about {}", doubts[static_cast<std::size_t>(quick.doubt)]);
 }
 
 Tally tried(const Pair& pair, std::vector<Case> cases, Witnesses& witnesses)

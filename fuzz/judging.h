@@ -4,6 +4,7 @@
 #include "tally.h"
 #include "witnesses.h"
 
+#include <string>
 #include <vector>
 
 namespace brink::fuzz {
@@ -11,6 +12,9 @@ namespace brink::fuzz {
 /// Puts one pair's cases on trial before the judges they summon, and before all of them where an answer is
 /// suspicious.
 Tally tried(const Pair&, std::vector<Case>, Witnesses&);
+
+/// What the judge in doubles said.
+std::string in_words(const support::Quick&);
 
 /// Adds `more` to `all`.
 void append(support::Findings& all, support::Findings more);

@@ -84,8 +84,13 @@ const CLI::App* add_run(CLI::App& app, Arguments& arguments)
     run->add_option("--threads", plan.threads, "workers, each with an FCL process of its own")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
+    run->add_option("--ask-every", plan.ask_every,
+                    "every which case brink is asked in other ways: time_only, t_max, swapped, moved")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     run->add_option("--rule-every", plan.rule_every,
-                    "every which case the referee judges, in 100 digits where long double proves nothing")
+                    "every which case the referee judges, in 100 digits where long double proves nothing; "
+                    "always those that the judge in doubles, which sees every case, does not acquit")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     run->add_option("--digits-every", plan.digits_every,
@@ -163,7 +168,8 @@ int run_campaign(Arguments& arguments, Keep& keep)
 
 int dispatch(int argc, char** argv)
 {
-    CLI::App app{"brink-fuzz: brink's time of impact against a dense reference, FCL and libccd"};
+    CLI::App app{"brink-fuzz: brink's time of impact against judges in doubles, long double and 100 digits, "
+                 "FCL and libccd"};
     app.require_subcommand(0, 1);
     Arguments arguments;
     const CLI::App* run = add_run(app, arguments);

@@ -27,13 +27,15 @@ std::uint64_t fault_count(const Tally& tally)
 std::string row(const Pair& pair, const Tally& tally)
 {
     const std::uint64_t undecided = count(tally, Status::undecided);
-    return fmt::format(
-        "{:22} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>6} {:>9} {:>8} {:>7} {:>6} {:>8} {:>8} {:>6} {:>5} "
-        "{:>6}\n",
-        pair.name(), judges(pair), tally.cases, count(tally, Status::hit), count(tally, Status::touching),
-        count(tally, Status::separated), undecided, undecided - std::min(undecided, tally.excused),
-        tally.ruled, tally.in_digits, tally.sworn, tally.unsettled, tally.referenced, tally.witnessed,
-        fault_count(tally), tally.crashes + tally.hangs, tally.brink_findings());
+    return fmt::format("{:22} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>6} {:>9} {:>9} {:>8} {:>8} {:>9} {:>8} "
+                       "{:>7} {:>6} {:>8} "
+                       "{:>8} {:>6} {:>5} {:>6}\n",
+                       pair.name(), judges(pair), tally.cases, count(tally, Status::hit),
+                       count(tally, Status::touching), count(tally, Status::separated), undecided,
+                       undecided - std::min(undecided, tally.excused), tally.quick, tally.strict,
+                       tally.unproven, tally.asked, tally.ruled, tally.in_digits, tally.sworn,
+                       tally.unsettled, tally.referenced, tally.witnessed, fault_count(tally),
+                       tally.crashes + tally.hangs, tally.brink_findings());
 }
 
 std::string median_and_most(std::vector<double> values)
@@ -111,6 +113,10 @@ void Tally::add(const Tally& other)
     cases += other.cases;
     for (std::size_t i = 0; i < by_status.size(); ++i)
         by_status[i] += other.by_status[i];
+    quick += other.quick;
+    strict += other.strict;
+    unproven += other.unproven;
+    asked += other.asked;
     ruled += other.ruled;
     in_digits += other.in_digits;
     unsettled += other.unsettled;
@@ -169,13 +175,17 @@ std::string judges(const Pair& pair)
 std::string report(const std::vector<Pair>& pairs, const std::vector<Tally>& tallies)
 {
     std::string out =
-        fmt::format("{:22} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>6} {:>9} {:>8} {:>7} {:>6} {:>8} {:>8} "
-                    "{:>6} {:>5} {:>6}\n",
-                    "pair", "judges", "cases", "hits", "touching", "separated", "undec.", "guilty", "ruled",
-                    "digits", "sworn", "unset.", "referen.", "by FCL", "faults", "crash", "brink");
+        fmt::format("{:22} {:22} {:>9} {:>8} {:>8} {:>9} {:>6} {:>6} {:>9} {:>9} {:>8} {:>8} {:>9} {:>8} "
+                    "{:>7} {:>6} {:>8} {:>8} {:>6} {:>5} {:>6}\n",
+                    "pair", "judges", "cases", "hits", "touching", "separated", "undec.", "guilty", "doubles",
+                    "strict", "doubts", "asked", "ruled", "digits", "sworn", "unset.", "referen.", "by FCL",
+                    "faults", "crash", "brink");
     for (std::size_t i = 0; i < pairs.size(); ++i)
         out += row(pairs[i], tallies[i]);
-    out += "guilty: undecided, and not known to graze. ruled: by the referee; digits: where long double "
+    out += "guilty: undecided, and not known to graze. doubles: by the judge in doubles; strict: of those, "
+           "proven "
+           "to the last bit, the others but for rounding or, doubts, not. asked: of brink in other ways. "
+           "ruled: by the referee; digits: where long double "
            "proved nothing. "
            "sworn: contact found in digits. unset.: the referee gave up. referen.: by the dense "
            "reference.\nfaults: of "

@@ -44,6 +44,9 @@ struct Complaint {
 struct Tally {
     std::uint64_t cases = 0;
     std::array<std::uint64_t, 5> by_status{};
+    std::uint64_t quick = 0, strict = 0, unproven = 0; // by the judge in doubles: cases, those acquitted of
+                                                       // everything, and those not acquitted
+    std::uint64_t asked = 0;                           // of brink in other ways
     std::uint64_t ruled = 0, in_digits = 0, unsettled = 0; // by the referee: cases, those that took digits,
                                                            // and those in which it ran out of evaluations
     std::uint64_t sworn = 0, in_doubt = 0; // whose contact was found in digits; decided by less than 1e-40

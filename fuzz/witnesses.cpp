@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #if BRINK_HAVE_FCL
 #include "fcl_process.h"
@@ -75,17 +76,51 @@ void judge_time(Statement& out, Case& c, const Testimony::At& at, double t)
     if (at.collide) judge_overlap(out, trial, c.index, "FCL collide", *at.collide, truth);
     if (at.gjk) judge_overlap(out, trial, c.index, "libccd GJK", *at.gjk, truth);
     if (at.mpr) judge_overlap(out, trial, c.index, "libccd MPR", *at.mpr, truth);
-    const bool ignored = trial.referee().started || trial.start_in_doubt();
     const Real target = trial.query().options.target_gap;
     const Real doubt = trust * trial.motion().scale();
     const bool near = (at.distance && *at.distance < static_cast<double>(target - doubt)) ||
                       (at.collide && *at.collide) || (at.gjk && *at.gjk);
-    if (ignored || t >= trial.toi().t || !near || truth >= target - 2 * trial.rounding()) return;
+    if (t >= trial.toi().t || !near || truth >= target - 2 * trial.rounding()) return;
+    if (trial.referee().started || trial.start_in_doubt()) return;
     out.against_brink.push_back({"contact before t", fmt::format("FCL or libccd see it at {:.17g}", t)});
+}
+
+/// How deep the contact that FCL missed is seen to be.
+Real depth_seen(Trial& trial)
+{
+    constexpr int looks = 16;
+    const Real from = trial.toi().t, span = trial.query().options.t_max - from;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (int i = 0; i <= looks; ++i)
+        least = std::min(least, trial.motion().at(from + span * i / looks).gap);
+    return static_cast<Real>(trial.query().options.target_gap) - least;
+}
+
+/// Of an answer that is acquitted, which is then what to judge FCL by. The dense reference may take longer
+/// than thousands of cases. Whether there is no more to say.
+bool judge_by_answer(Statement& out, Case& c, std::optional<double> when)
+{
+    Trial& trial = c.trial;
+    const Toi& toi = trial.toi();
+    if (trial.quick().acquittal == support::Acquittal::none) return false;
+    if (toi.status == Status::separated) return !when;
+    if (toi.status != Status::hit) return false;
+    if (!when) {
+        const Real depth = trial.query().options.target_gap == 0 ? depth_seen(trial) : 0;
+        if (depth > trust * trial.motion().scale())
+            out.against_them.push_back({"FCL CA missed a hit, deep by", static_cast<double>(depth), c.index});
+        return true;
+    }
+    if (toi.t > *when + fcl_late) return false;
+    const double late = *when - toi.t;
+    const bool plain = trial.query().options.target_gap == 0 && *when <= trial.query().options.t_max;
+    if (plain && late > fcl_late) out.against_them.push_back({"FCL CA late by", late, c.index});
+    return true;
 }
 
 void judge_advancement(Statement& out, Case& c, std::optional<double> when)
 {
+    if (judge_by_answer(out, c, when)) return;
     Trial& trial = c.trial;
     const Toi& toi = trial.toi();
     const Reference& ref = trial.referee();

@@ -16,7 +16,8 @@ struct Summons {
     bool referee = true;
     bool digits = true; // the contact in 100 digits, that of a closed form in 200 too
     bool witnesses = true;
-    bool valid = true; // else the answer `invalid` is taken as right
+    bool otherwise = true; // brink itself, asked the same in other ways
+    bool valid = true;     // else the answer `invalid` is taken as right
 };
 
 /// A trial and where it came from.

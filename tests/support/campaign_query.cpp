@@ -63,12 +63,11 @@ Query rocking(Random& random, Query q)
     return q;
 }
 
-Query grazing(Random& random, const Query& q)
+Query grazing(Random& random, const Query& q, Aim aim)
 {
     const double size = random.log_between(1e-15, 1e-3);
     const int side = random.index(3);
-    const GapOverTime motion(q);
-    return tuned(q, least_gap_seen(motion, q.options.t_max, {96, 8}),
+    return tuned(q, least_gap_seen(gap_at(q, aim), q.options.t_max, {96, 8}),
                  side == 0   ? -size
                  : side == 1 ? size
                              : 0);
@@ -76,11 +75,11 @@ Query grazing(Random& random, const Query& q)
 
 } // namespace
 
-Query campaign_query(const Pair& pair, std::uint64_t seed, std::uint64_t index)
+Query campaign_query(const Pair& pair, std::uint64_t seed, std::uint64_t index, Aim aim)
 {
     Random random(~seed * 128 + pair.first * 10 + pair.second, index);
     const bool rotates = random.chance(0.8);
-    Query q = query(pair, rotates ? Family::rotation : Family::translation, seed, index);
+    Query q = query(pair, rotates ? Family::rotation : Family::translation, seed, index, aim);
     if (pair.unbounded()) return q;
     constexpr std::array<double, 5> tolerances{1e-12, 1e-9, 1e-6, 1e-4, 0};
     q.options.tolerance = tolerances[static_cast<std::size_t>(random.index(5))];
@@ -92,9 +91,9 @@ Query campaign_query(const Pair& pair, std::uint64_t seed, std::uint64_t index)
     const int who = random.index(9);
     if (rotates && who < 4 && who != 1) q.motion_a = draw_turning(random, q.motion_a);
     if (rotates && who < 4 && who != 2) q.motion_b = draw_turning(random, q.motion_b);
-    const int aim = random.index(8);
-    if (rotates && aim == 0) q = rocking(random, q);
-    if (aim == 1) q = grazing(random, q);
+    const int scheme = random.index(8);
+    if (rotates && scheme == 0) q = rocking(random, q);
+    if (scheme == 1) q = grazing(random, q, aim);
     return q;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path.h"
 
+#include "quick_walk.h"
+
 #include <algorithm>
+#include <memory>
 
 namespace brink::support {
 namespace {
@@ -30,45 +33,71 @@ Path above_ground(Random& random, Path path, const Shape& ground, const Quat& or
     return path;
 }
 
+GapAt gap_at(const Query& q, Aim aim)
+{
+    if (aim == Aim::exact)
+        return [motion = std::make_shared<const GapOverTime>(q)](Real t) { return motion->at(t).gap; };
+    struct Sight {
+        QuickPair pair;
+        Quick3 normal;
+    };
+    return [sight = std::make_shared<Sight>(Sight{QuickPair(q), {}})](Real t) -> Real {
+        const QuickEffort effort{0x1p-54 * sight->pair.scale(), 0, 0};
+        const QuickLook look(sight->pair, static_cast<double>(t), sight->normal, effort);
+        sight->normal = look.gap.normal;
+        return look.gap.upper - sight->pair.radii();
+    };
+}
+
 Real least_gap(const GapOverTime& motion, double t_max, int steps)
+{
+    return least_gap([&](Real t) { return motion.at(t).gap; }, t_max, steps);
+}
+
+Real least_gap_seen(const GapOverTime& motion, double t_max, Looks looks)
+{
+    return least_gap_seen([&](Real t) { return motion.at(t).gap; }, t_max, looks);
+}
+
+Real least_gap(const GapAt& gap, double t_max, int steps)
 {
     constexpr Real golden = 0.618033988749894848L;
     Real from = 0;
     Real to = t_max;
     Real low_t = to - golden * (to - from);
     Real high_t = from + golden * (to - from);
-    Real low = motion.at(low_t).gap;
-    Real high = motion.at(high_t).gap;
+    Real low = gap(low_t);
+    Real high = gap(high_t);
     for (int i = 0; i < steps; ++i) {
         if (low <= high) {
             to = high_t;
             high_t = low_t;
             high = low;
             low_t = to - golden * (to - from);
-            low = motion.at(low_t).gap;
+            low = gap(low_t);
         } else {
             from = low_t;
             low_t = high_t;
             low = high;
             high_t = from + golden * (to - from);
-            high = motion.at(high_t).gap;
+            high = gap(high_t);
         }
     }
     return std::min(low, high);
 }
 
-Real least_gap_seen(const GapOverTime& motion, double t_max, Looks looks)
+Real least_gap_seen(const GapAt& gap, double t_max, Looks looks)
 {
     constexpr int closer = 8;
     Real from = 0;
     Real to = t_max;
-    Real least = motion.at(0).gap;
+    Real least = gap(0);
     for (int round = 0; round < looks.rounds; ++round) {
         const int count = round == 0 ? looks.all_over : closer;
         const Real step = (to - from) / count;
         Real best = from;
         for (int i = 0; i <= count; ++i) {
-            const Real here = motion.at(from + i * step).gap;
+            const Real here = gap(from + i * step);
             if (here > least) continue;
             least = here;
             best = from + i * step;

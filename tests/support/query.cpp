@@ -155,7 +155,7 @@ std::optional<Pair> pair_named(std::string_view name)
     return std::nullopt;
 }
 
-Query query(const Pair& pair, Family family, std::uint64_t seed, std::uint64_t index)
+Query query(const Pair& pair, Family family, std::uint64_t seed, std::uint64_t index, Aim aim)
 {
     const std::uint64_t later =
         pair.second < 6 ? 0 : std::uint64_t{1} << 40U; // other streams than those of seeds
@@ -169,8 +169,8 @@ Query query(const Pair& pair, Family family, std::uint64_t seed, std::uint64_t i
     const double sign = random.chance(0.5) ? 1 : -1;
     const double beyond =
         random.chance(0.1) ? 0 : sign * random.log_between(twist == Twist::start ? 1e-16 : 1e-12, 1e-3);
-    const GapOverTime motion(q);
-    return tuned(q, twist == Twist::start ? motion.at(0).gap : least_gap(motion, q.options.t_max), beyond);
+    const GapAt gap = gap_at(q, aim);
+    return tuned(q, twist == Twist::start ? gap(0) : least_gap(gap, q.options.t_max), beyond);
 }
 
 } // namespace brink::support

@@ -58,15 +58,19 @@ enum class Family : unsigned char {
     rotation,    // of one or both, up to 60 degrees, up to 300, several turns, about centred and other pivots
 };
 
+/// How a query that grazes is aimed: in long double, or in doubles, in a fraction of the time and no less
+/// near. The two give different queries.
+enum class Aim : unsigned char { exact, quick };
+
 /// A query biased to the nasty: a function of its arguments alone. About half of the queries hit; one in ten
 /// grazes within 1e-3 to 1e-12, and as many each are parallel, touching or overlapping at the start, far from
 /// the origin, exact in small integers, thin walls crossed in one step.
-Query query(const Pair&, Family, std::uint64_t seed, std::uint64_t index);
+Query query(const Pair&, Family, std::uint64_t seed, std::uint64_t index, Aim = Aim::exact);
 
 /// The same made nastier where something turns, for long campaigns: four in five turn, by up to 60 degrees,
 /// up to 300, ten turns and seldom a hundred, one body or both; needles; bodies that rock on their nearest
 /// corner; target gaps tuned to the least gap of the whole motion; tolerances of 1e-12, 1e-9, 1e-6, 1e-4 and
 /// 0.
-Query campaign_query(const Pair&, std::uint64_t seed, std::uint64_t index);
+Query campaign_query(const Pair&, std::uint64_t seed, std::uint64_t index, Aim = Aim::exact);
 
 } // namespace brink::support

@@ -6,9 +6,6 @@
 namespace brink::support {
 namespace {
 
-constexpr int coarse_budget = 40'000;
-constexpr int fine_budget = 600;
-
 /// Of the scale: nearer than this nothing is decided.
 const Hundred doubt{"1e-40"};
 /// Of the scale: so far above the target, long double is enough again.
@@ -127,7 +124,7 @@ Leaving Question::leaving() const
 
 bool Question::fine_walk(Stretch& out, const Hundred& to) const
 {
-    Limits<Hundred> limits{doubt * fine_.scale(), plain * fine_.scale(), fine_budget - out.fine_evaluations};
+    Limits<Hundred> limits{doubt * fine_.scale(), plain * fine_.scale(), budget_.fine - out.fine_evaluations};
     Walk<Hundred> w = walk(fine_, out.clear, to, limits);
     if (w.halt == Halt::far && w.clear == out.clear) { // where long double's time is too coarse
         limits.far = -1;
@@ -152,7 +149,7 @@ Stretch Question::clear(const Hundred& from, const Hundred& to) const
     out.clear = from;
     out.least = coarse_.at(static_cast<long double>(from)).upper - coarse_.target();
     const auto end = static_cast<long double>(to);
-    const Limits<long double> limits{blurs * coarse_.blur(), -1, coarse_budget};
+    const Limits<long double> limits{blurs * coarse_.blur(), -1, budget_.coarse};
     for (;;) {
         const auto begin = static_cast<long double>(out.clear);
         if (Hundred(begin) == out.clear) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "referee_walk.h"
+#include "referee_turning.h"
 #include "verdict.h"
 
 /// The two precisions of one query, and the questions that take both.
@@ -32,7 +32,10 @@ struct Stretch {
 
 class Question {
 public:
-    explicit Question(const Query& q) : coarse_(q), fine_(q), t_max_(q.options.t_max) {}
+    explicit Question(const Query& q, const Budget& budget = {})
+        : coarse_(q), fine_(q), t_max_(q.options.t_max), budget_(budget)
+    {
+    }
 
     const MovingPair<long double>& coarse() const { return coarse_; }
     const MovingPair<Hundred>& fine() const { return fine_; }
@@ -56,6 +59,7 @@ private:
     MovingPair<long double> coarse_;
     MovingPair<Hundred> fine_;
     double t_max_;
+    Budget budget_;
 };
 
 /// Gap, normal and points of a hit or of touching, in long double: all of them are doubles.

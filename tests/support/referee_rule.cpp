@@ -24,8 +24,8 @@ struct Case {
     Hundred rounding; // 16 eps S
     Hundred band;     // what promise 3 allows gap(t) - target_gap to be, but for the last bit of t
 
-    Case(const Query& query, const Toi& answer)
-        : q(query), toi(answer), question(query), start(question.start())
+    Case(const Query& query, const Toi& answer, const Budget& budget)
+        : q(query), toi(answer), question(query, budget), start(question.start())
     {
         const MovingPair<Hundred>& pair = question.fine();
         rounding = 16 * Hundred(eps) * pair.scale();
@@ -152,7 +152,7 @@ void judge_times(const Case& c, Ruling& out)
 
 } // namespace
 
-Ruling rule(const Query& q, const Toi& toi)
+Ruling rule(const Query& q, const Toi& toi, const Budget& budget)
 {
     Ruling out;
     if (!(toi.t >= 0 && toi.t <= q.options.t_max))
@@ -161,7 +161,7 @@ Ruling rule(const Query& q, const Toi& toi)
         out.findings.push_back({"t", "separated, but t is not t_max"});
     if (toi.status == Status::invalid) out.findings.push_back({"invalid", "of a valid query"});
     if (!out.findings.empty()) return out;
-    const Case c(q, toi);
+    const Case c(q, toi, budget);
     if (!c.start.in_doubt) judge_start(c, out);
     judge_times(c, out);
     if (c.answered() && q.options.detail == Detail::contact) {

@@ -27,6 +27,11 @@ struct Meeting {
     int evaluations = 0, fine_evaluations = 0; // of the gap, in long double and in 100 digits
 };
 
+/// Evaluations of the gap after which a walk runs out, in long double and in 100 digits.
+struct Budget {
+    int coarse = 40'000, fine = 600;
+};
+
 /// Valid, and at most one of the shapes is unbounded. (What is invalid is left to the tests of validity.)
 bool judgeable(const Query&);
 
@@ -42,7 +47,7 @@ struct Ruling {
     bool unsettled = false; // the walk ran out of evaluations: `late` and `missed` are not excluded
     bool in_digits = false; // long double was not enough
 };
-Ruling rule(const Query&, const Toi&);
+Ruling rule(const Query&, const Toi&, const Budget& = {});
 
 /// Whether an `undecided` at t is excused because something grazes: at t, or at contact, the pair closes at
 /// less than 1e-3 of the fastest relative motion, or there is no contact by less than 1e-6 of the scale.

@@ -172,6 +172,12 @@ const Reference& Trial::referee()
     return *reference_;
 }
 
+const Quick& Trial::quick()
+{
+    if (!quick_) quick_ = quick_judge(query_, toi_);
+    return *quick_;
+}
+
 Real Trial::band()
 {
     const Pair pair{std::min(query_.a.index(), query_.b.index()),

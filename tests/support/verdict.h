@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "quick_judge.h"
 #include "reference.h"
 
 #include <optional>
@@ -27,6 +28,8 @@ public:
     const Toi& toi() const { return toi_; }
     const GapOverTime& motion();
     const Reference& referee();
+    /// What the judge in doubles says; the query must be judgeable (referee_turning.h).
+    const Quick& quick();
 
     /// 16 eps S: the rounding that design promise 3 allows for.
     Real rounding() { return 16 * 0x1p-52L * motion().scale(); }
@@ -46,18 +49,25 @@ private:
     Toi toi_;
     std::optional<GapOverTime> motion_;
     std::optional<Reference> reference_;
+    std::optional<Quick> quick_;
 };
 
-/// What brink's own answers must agree on: status and t in range, unit normal, points consistent, time_only,
-/// t_max, swapped sides, the world moved rigidly. Asks the reference only about how far apart two answers may
-/// be.
+/// What shows in the answer alone: status and t in range, unit normal, points consistent.
+Findings judge_form(Trial&);
+
+/// What brink's answers to the same question asked otherwise must agree on: time_only, t_max, swapped sides,
+/// the world moved rigidly. Two answers that the judge in doubles acquits agree; the reference is asked only
+/// about how far apart others may be.
+Findings judge_otherwise(Trial&);
+
+/// Both; the second only where the first finds nothing and the answer is not `invalid`.
 Findings judge_alone(Trial&);
 
 /// Against the reference: apart before t and not late, touching at t, `separated` really separated, t_upper,
 /// contact at the start, gap, normal and points.
 Findings judge_by_reference(Trial&);
 
-/// Both.
+/// judge_alone() and judge_by_reference().
 Findings judge(Trial&);
 
 } // namespace brink::support

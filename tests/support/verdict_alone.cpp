@@ -104,13 +104,16 @@ bool both_right(Trial& trial, double earlier, double later, Real band, Real roun
     return false;
 }
 
-/// Whether another answer to the same question agrees, given rounding that moves gaps by `moved`.
-bool agrees(Trial& trial, const Toi& other, Real moved)
+/// Whether another answer, to the same question asked as `asked`, agrees, given rounding that moves gaps by
+/// `moved`.
+bool agrees(Trial& trial, const Query& asked, const Toi& other, Real moved)
 {
     const Toi& toi = trial.toi();
     if (other.status == toi.status && std::abs(other.t - toi.t) <= 8 * eps * toi.t) return true;
     const Real band = trial.band() + moved;
     if (toi.status == Status::undecided || other.status == Status::undecided) return true;
+    const bool acquitted = trial.quick().acquittal != Acquittal::none;
+    if (acquitted && quick_judge(asked, other).acquittal != Acquittal::none) return true;
     const bool hits = toi.status == Status::hit && other.status == Status::hit;
     const Real doubt = trial.rounding() + moved;
     if (hits && both_right(trial, std::min(toi.t, other.t), std::max(toi.t, other.t), band, doubt))
@@ -144,7 +147,7 @@ Findings judge_swap(Trial& trial)
     std::swap(q.motion_a, q.motion_b);
     const Toi swapped = answer(q);
     const Toi& toi = trial.toi();
-    if (!agrees(trial, swapped, 4 * trial.rounding())) return {{"swap", in_words(swapped), q}};
+    if (!agrees(trial, q, swapped, 4 * trial.rounding())) return {{"swap", in_words(swapped), q}};
     if (swapped.status != toi.status || !same_bits(swapped.t, toi.t)) return {};
     // At the same t the sides change places; where several normals are right another may come.
     const double gap_off = std::abs(swapped.gap - toi.gap);
@@ -180,19 +183,31 @@ Findings judge_rigid(Trial& trial)
     const Query other{q.a, moved(q.motion_a, turn, shift), q.b, moved(q.motion_b, turn, shift), q.options};
     const Toi toi = answer(other);
     const Real size = norm(real3(q.motion_a.start.position)) + norm(real3(q.motion_b.start.position));
-    if (agrees(trial, toi, 4 * trial.rounding() + 64 * static_cast<Real>(eps) * (size + 4))) return {};
+    if (agrees(trial, other, toi, 4 * trial.rounding() + 64 * static_cast<Real>(eps) * (size + 4))) return {};
     return {{"rigid motion", in_words(toi), other}};
 }
 
 } // namespace
 
+Findings judge_form(Trial& trial)
+{
+    const Findings range = judge_range(trial);
+    return range.empty() ? judge_witness(trial) : range;
+}
+
+Findings judge_otherwise(Trial& trial)
+{
+    Findings out;
+    for (const auto& part : {judge_detail(trial), judge_t_max(trial), judge_swap(trial), judge_rigid(trial)})
+        out.insert(out.end(), part.begin(), part.end());
+    return out;
+}
+
 Findings judge_alone(Trial& trial)
 {
     Findings out = judge_range(trial);
-    const bool invalid = trial.toi().status == Status::invalid || !out.empty();
-    if (invalid) return out;
-    for (const auto& part : {judge_witness(trial), judge_detail(trial), judge_t_max(trial), judge_swap(trial),
-                             judge_rigid(trial)})
+    if (trial.toi().status == Status::invalid || !out.empty()) return out;
+    for (const auto& part : {judge_witness(trial), judge_otherwise(trial)})
         out.insert(out.end(), part.begin(), part.end());
     return out;
 }
