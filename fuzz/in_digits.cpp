@@ -25,7 +25,7 @@ support::Findings named(support::Findings findings, const char* judge)
 
 } // namespace
 
-bool can_judge(const support::Query& q) { return support::can_judge(q); }
+bool can_judge(const support::Query& q) { return support::judgeable(q); }
 
 Ruled ruled(const support::Query& q, const Toi& toi, Patience patience)
 {
