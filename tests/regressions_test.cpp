@@ -264,3 +264,39 @@ TEST_CASE("regression: where bodies come from far away, the points of contact li
                      Vec3(-0x1.c750cad8d6676p-2, 0x1.9c8a590f2984p-5, 0x1.0c171f6bdf284p-2)},
               Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: a gap that rounding puts a hair beyond the tolerance")
+{
+    // Each stopped where the gap told was the tolerance less a few ulp, and was some 1e-15 more.
+    check(Query{Capsule{Vec3(0x1.683e11f161bf4p-1, 0x1.93a05afe723ep-1, -0x1.dc3f5244fff08p-1),
+                        Vec3(-0x1.6f7bc51b0316cp-2, 0x1.797bdbbd05c7cp-1, -0x1.bfcc2ffe90eeap-1),
+                        0x1.266576f3932a2p+2},
+                Motion{Pose{Vec3(0x1.ca05704d36b13p+0, 0x1.d73028f3cfbfap+0, 0x1.6c95358f2783p+1),
+                            Quat(0x1.dcc072e761198p-2, 0x1.750ad998005f7p-1, -0x1.53bf28118593ap-7,
+                                 -0x1.0129655ec5356p-1)},
+                       Vec3(0x1.e8bf45e63d328p-1, -0x1.f11f58dbd6546p+0, -0x1.0708d05a27b74p-1),
+                       Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Plane{Vec3(0, 0, 1), 0x1.0be331829d98p-7},
+                Motion{Pose{Vec3(0, 0, 0), Quat(0x1.983e4d38b0fc5p-2, 0x1.d2988670da802p-2,
+                                                -0x1.9641a1012ae08p-1, 0x1.fb878618eac1cp-5)},
+                       Vec3(0x1.bc4485d91ee9p+0, 0x1.7074ba97d855cp+0, 0x1.d722888bf8c9p-1),
+                       Vec3(0x1.f9fb3fda66a28p+0, 0x1.47aa1a93a9b4dp+3, -0x1.bd0398b3a82f6p+2),
+                       Vec3(0x1.722bb867a56ecp-1, 0x1.55275c1b3f2aap+1, 0x1.35b8a68488dp-5)},
+                Options{1, 0, 0x1.19799812dea11p-40, StartContact::report, Detail::contact, 256}});
+    check(Query{
+        Hull::from_points(
+            std::vector<Vec3>{Vec3(-0x1.270a4ee609a64p-1, 0x1.477a582b7e594p-2, 0x1.e0ddd0633df1ep-1)}),
+        Motion{
+            Pose{Vec3(-0x1.27dca19039074p-1, -0x1.1145992c132b2p+1, 0x1.6f72448f5b5d2p+1), Quat(1, 0, 0, 0)},
+            Vec3(-0x1.ed16ff57d6f88p+0, 0x1.c3ae6d402961dp+1, -0x1.54f81de581e53p+3), Vec3(0, 0, 0),
+            Vec3(0, 0, 0)},
+        Hull::from_points(std::vector<Vec3>{Vec3(0x1p-2, -1, -0x1.8p-1), Vec3(0x1p-1, -1, 0x1p-2),
+                                            Vec3(-0x1.8p-1, 0x1p-2, -0x1p-2), Vec3(0x1p-1, -0x1p-1, -1)}),
+        Motion{Pose{Vec3(-0x1.65acf9a584ec4p-2, -0x1.2796eda358e66p-1, -0x1.b9c4638840f8p-2),
+                    Quat(-0x1.05d67e845f79ap-2, -0x1.050cd06d36e45p-7, -0x1.22d518db5ebf9p-2,
+                         -0x1.d91e801649b37p-1)},
+               Vec3(-0x1.b68b2ab8bda1p+0, 0x1.3a5aefb5a7147p-1, 0x1.c600ca430c6f4p+1), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Options{0x1.9e3fa79525361p-1, 0x1.1f418f2a5ef6ep-1, 0x1.19799812dea11p-40, StartContact::report,
+                Detail::contact, 256}});
+}

@@ -13,13 +13,14 @@ namespace brink {
 struct Allowance {
     double rounding = 0;  // of a gap, at most
     double slack = 0;     // what it can take off a bound
-    double tolerance = 0; // at least twice the slack
+    double tolerance = 0; // the caller's, less what the gap there may be off by; at least twice the slack
 
     Allowance() = default;
     /// `lengths` are those that roundings are relative to, added up.
     Allowance(double lengths, const Options& options)
         : rounding(tolerance::certificate_slack * lengths),
-          tolerance(std::max(options.tolerance, 2 * tolerance::least_slack * lengths))
+          tolerance(std::max(options.tolerance - tolerance::least_slack * lengths,
+                             2 * tolerance::least_slack * lengths))
     {
         slack = std::min(rounding, 0.5 * tolerance);
     }
