@@ -300,3 +300,21 @@ TEST_CASE("regression: a gap that rounding puts a hair beyond the tolerance")
         Options{0x1.9e3fa79525361p-1, 0x1.1f418f2a5ef6ep-1, 0x1.19799812dea11p-40, StartContact::report,
                 Detail::contact, 256}});
 }
+
+TEST_CASE("regression: a point over a box so thin that GJK's weights put it beside its shadow")
+{
+    check(Query{
+        Box{Vec3(0x1.eb8e7587f1bf7p-1, 0x1.0081ad675cd04p+0, 0x1.7c7636c87cd5ep-20)},
+        Motion{Pose{Vec3(0x1.1d2708294d05fp+0, 0x1.33722067dd22p-3, 0x1.1aa56b082d41p-3), Quat(1, 0, 0, 0)},
+               Vec3(-0x1.a6253a486e8b2p+0, -0x1.28535092a8624p-2, 0x1.291f6307f83f2p+0),
+               Vec3(0x1.3fe64613d0a04p-4, 0x1.c7412ccaac58bp-2, 0x1.04c2729f593f5p+1),
+               Vec3(-0x1.94f3fdc327d37p-2, -0x1.0081ad675cd04p+0, 0x1.7c7636c87cdp-20)},
+        Hull::from_points(
+            std::vector<Vec3>{Vec3(0x1.a865ecf837636p-1, 0x1.a865ecf837636p-1, 0x1.a865ecf837636p-1)}),
+        Motion{Pose{Vec3(0x1.f418ff56234c4p-1, 0x1.1ee9b6c0ccf2ap-1, 0x1.2db84c3c209p-3),
+                    Quat(-0x1.99f8c0c724e52p-2, -0x1.8007e5abc0876p-1, 0x1.6ded7b591effdp-3,
+                         0x1.fb0e0e63bfa28p-2)},
+               Vec3(-0x1.a6253a486e8b2p+0, -0x1.28535092a8624p-2, 0x1.291f6307f83f2p+0), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+}

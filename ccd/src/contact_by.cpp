@@ -19,11 +19,12 @@ bool in_contact(Course<Core>& course, const Watch& watch, const Sight& sight, do
     const auto at = course.later(later);
     const V3 a = at.turn_a * sight.point_a;
     const V3 b = at.turn_b * (sight.point_a + sight.v - f.b.pivot) + at.pivot_b;
-    if (course.radii > 0) return norm(b - a) + course.rounding <= course.radii;
+    const double doubt = course.rounding + sight.astray;
+    if (course.radii > 0) return norm(b - a) + doubt <= course.radii;
     // Each body stays where it is, and the other's point goes where it will be beside it.
     const V3 beside_b = into(at.turn_b, a - at.pivot_b) + f.b.pivot;
-    if (depth(f.b.part, beside_b) > course.rounding) return true;
-    if (depth(f.a.part, into(at.turn_a, b)) > course.rounding) return true;
+    if (depth(f.b.part, beside_b) > doubt) return true;
+    if (depth(f.a.part, into(at.turn_a, b)) > doubt) return true;
     const double now = course.now();
     course.go(later);
     const bool proven = watch.overlap(f, course.rounding);

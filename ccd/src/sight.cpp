@@ -101,6 +101,8 @@ Sight Watch::look_by_gjk(const Facing<Core>& f, double relative)
     s.upper = norm(c.v);
     s.point_a = c.point_a;
     s.v = c.v;
+    // The weights of a sliver put its point beside where its plane is nearest.
+    s.astray = norm(c.simplex.point() - c.v);
     corners_ = Corners(c.simplex);
     s.guessed = !corners_.known();
     s.axis = {c.normal, {}};
@@ -197,7 +199,7 @@ std::optional<Separation> shown(const Sight& sight, const Facing<Core>& f, doubl
     const Core &a = f.a.part, &b = f.b.part;
     const V3 n = sight.best_normal();
     const double apart = dot(sight.v, n);
-    if (!(sight.upper < infinity) || !(norm(sight.v - apart * n) <= doubt) ||
+    if (!(sight.upper < infinity) || !(sight.astray <= doubt) || !(norm(sight.v - apart * n) <= doubt) ||
         !(apart - gap_along(a, b, n) <= doubt))
         return {};
     const double gap = apart - (a.radius + b.radius);

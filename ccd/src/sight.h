@@ -18,6 +18,7 @@ struct Sight {
     bool guessed = false;     // the axis' spin is a guess: other ones may do better
     double upper = infinity;  // a distance between points of the cores, radii left out, where one was taken
     V3 point_a, v;            // those points: v leads from A's to B's
+    double astray = 0;        // how far from B point_a + v may lie
 
     V3 best_normal() const { return axis.normal == V3{} ? normal : axis.normal; }
 };
