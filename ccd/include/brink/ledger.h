@@ -41,7 +41,7 @@ struct Ledger {
     std::array<std::uint64_t, layer_count> removed{}; // by Layer
     std::uint64_t exact = 0;                          // asked exactly
     std::uint64_t left = 0;                           // not looked at: stopped, or beyond max_tests
-    std::uint64_t again = 0;                          // asked once more because a partner halted (safe_times)
+    std::uint64_t again = 0; // once more (safe_times): a partner halted, or many others come first
     double update_seconds = 0, search_seconds = 0, exact_seconds = 0, order_seconds = 0;
 
     std::uint64_t by(Layer l) const { return removed[static_cast<unsigned>(l)]; }
