@@ -10,10 +10,6 @@
 #include <stdexcept>
 #include <string>
 
-#if BRINK_HAVE_TBB
-#include <tbb/task_arena.h>
-#endif
-
 using namespace brink;
 using support::draw_model;
 using support::Random;
@@ -220,41 +216,3 @@ TEST_CASE("scene: a visitor that changes or asks the scene is told that it must 
     CHECK(scene.size() == 2);
     CHECK(scene.impacts().found.size() == 1);
 }
-
-#if BRINK_HAVE_TBB
-TEST_CASE("scene: the same bits on any number of threads")
-{
-    for (const std::string_view name : support::scene_names) {
-        CAPTURE(name);
-        const SceneModel model = draw_model(name, 3000, 17);
-        std::vector<Impact> one;
-        std::vector<SafeTime> safe;
-        Ledger ledger;
-        for (const int threads : {1, 2, 3, 4, 16}) {
-            CAPTURE(threads);
-            tbb::task_arena arena(threads);
-            arena.execute([&] {
-                Scene scene = support::scene_of(model);
-                const Impacts got = scene.impacts();
-                const Ledger now = scene.ledger();
-                if (threads == 1) {
-                    one.assign(got.found.begin(), got.found.end());
-                    ledger = now;
-                }
-                REQUIRE(got.found.size() == one.size());
-                for (std::size_t i = 0; i < one.size(); ++i)
-                    REQUIRE(same(got.found[i], one[i]));
-                CHECK(now.removed == ledger.removed);
-                CHECK(now.exact == ledger.exact);
-                const Impact first = scene.first_impact();
-                if (!one.empty()) CHECK(same(first, one.front()));
-                const std::span<const SafeTime> times = scene.safe_times();
-                if (threads == 1) safe.assign(times.begin(), times.end());
-                REQUIRE(times.size() == safe.size());
-                for (std::size_t i = 0; i < safe.size(); ++i)
-                    REQUIRE((times[i].body == safe[i].body && times[i].t == safe[i].t));
-            });
-        }
-    }
-}
-#endif
