@@ -142,7 +142,7 @@ Packet packet_of(const Sweep& sweep, const Plan& plan)
 
 void drop_what_need_not_be_asked(Chunk& chunk, const BodyStore& store, const Plan& plan)
 {
-    const bool meets_all = plan.mask == 0xffffffff;
+    const bool meets_all = plan.category != 0 && plan.mask == 0xffffffff;
     if (store.picky == 0 && !plan.filter && !plan.rest_pairs && meets_all) return;
     Candidates& all = chunk.candidates;
     std::size_t kept = 0;
