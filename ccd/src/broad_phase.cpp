@@ -202,6 +202,7 @@ void BroadPhase::build(BlockTree& to, Home home, std::vector<std::uint32_t>& joi
         }
     });
     to.bound(store.ids);
+    to.bound_groups(store.picky > 0 ? std::span<const Body>(store.bodies) : std::span<const Body>());
     if (home == Home::movers) {
         spread_when_built_ = to.spread();
         bounds_moved_ = false;

@@ -192,6 +192,7 @@ Plan Asking::plan(const SceneOptions& options) const
     plan.rules.receding = !off.has(Layer::receding);
     plan.rules.spheres = !off.has(Layer::spheres);
     plan.rules.late = !off.has(Layer::late);
+    plan.rules.groups = !off.has(Layer::mask);
     plan.rules.balls = plan.rules.receding || plan.rules.spheres || plan.rules.late;
     plan.wide = !off.has(Layer::simd);
     plan.without = off;

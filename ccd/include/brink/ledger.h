@@ -15,7 +15,7 @@ enum class Layer : unsigned char {
     receding,  // the balls around them are apart and do not near each other
     spheres,   // the balls around them pass each other
     late,      // the balls around them meet later than what is already known or asked for
-    mask,      // category and mask
+    mask,      // category and mask; where whole blocks of bodies exclude each other, told as bounds
     filter,    // the user's
     simd,      // settles no pair: sixteen bodies at once, with the widest instructions there are
 };

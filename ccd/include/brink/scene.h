@@ -35,9 +35,10 @@ struct SceneOptions {
     /// might have to halt halts where the spheres meet. The first of several at the same time need not be
     /// that of the lowest ids then.
     ///
-    /// Pairs that masks or the filter exclude do not count, and no visitor hears of them: where they keep
-    /// many bodies at one place apart, each pair whose swept bounds meet is looked at (some nanoseconds, no
-    /// memory), and neither a budget nor a visitor shortens that.
+    /// Pairs that masks or the filter exclude do not count, and no visitor hears of them. Bodies near each
+    /// other of which none meets any other, by their masks, are passed over together; other pairs whose swept
+    /// bounds meet are looked at one by one (some nanoseconds, no memory), and where these are many neither a
+    /// budget nor a visitor shortens that.
     std::size_t max_tests = static_cast<std::size_t>(-1);
     /// Of a shape that is cast and of a ray; a body's own say all else. The category must have a bit set.
     std::uint32_t category = 1, mask = 0xffffffff;
