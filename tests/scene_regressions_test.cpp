@@ -191,7 +191,8 @@ TEST_CASE("scene: a body or a point of the scene's own may be given back to it")
     first.category = 4;
     scene.add(first);
     for (BodyId id = 1; id <= 100; ++id) {
-        CHECK(scene.add(scene.body(id - 1)) == id);
+        CHECK(scene.add(scene.body(id % 2 == 0 ? 0 : id - 1)) == id);
+        CHECK(std::get<Sphere>(scene.body(id).shape).radius == 2);
         CHECK(scene.body(id).motion.start.position == Vec3(5, 0, 0));
         CHECK(scene.body(id).category == 4);
     }
