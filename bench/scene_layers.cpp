@@ -15,14 +15,15 @@ struct NamedLayer {
     Layers layers;
 };
 
-/// Not mask and filter: no scene here uses them.
-constexpr std::array<NamedLayer, 7> switched{{{"nothing", {}},
+/// Not mask and filter: what they remove depends on the user's alone, and no scene here has any.
+constexpr std::array<NamedLayer, 8> switched{{{"nothing", {}},
                                               {"immovable", Layer::immovable},
                                               {"asleep", Layer::asleep},
                                               {"bounds", Layer::bounds},
                                               {"receding", Layer::receding},
                                               {"spheres", Layer::spheres},
-                                              {"late", Layer::late}}};
+                                              {"late", Layer::late},
+                                              {"simd", Layer::simd}}};
 
 /// The scene, warm.
 Scene scene_of(std::string_view name, std::size_t n)

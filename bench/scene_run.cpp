@@ -160,11 +160,11 @@ private:
         samples.first.push_back(ms_of([&] { scene_.first_impact(); }));
         ledgers_.first = scene_.ledger();
         move_all(samples);
-        samples.pairs.push_back(ms_of([&] { figures.pairs = scene_.candidates().size(); }));
-        samples.step.push_back(samples.update.back() + samples.pairs.back());
-        move_all(samples);
         const double balls = ms_of([&] { figures.ball_pairs = scene_.candidates(Bounds::balls).size(); });
         samples.balls.push_back(samples.update.back() + balls);
+        move_all(samples); // the last: the rivals are asked about the same boxes
+        samples.pairs.push_back(ms_of([&] { figures.pairs = scene_.candidates().size(); }));
+        samples.step.push_back(samples.update.back() + samples.pairs.back());
     }
 
     void measure(int threads, std::span<Contender> rivals)
@@ -188,7 +188,7 @@ private:
             results_.ledgers.push_back({task_.scene, task_.n, ledgers_.impacts, ledgers_.first});
     }
 
-    /// The rivals, over the boxes of the step that brink has just done.
+    /// The rivals, over the boxes of the step that brink was just timed in.
     void challenge(std::span<Contender> rivals)
     {
         if (rivals.empty()) return;

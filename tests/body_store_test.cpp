@@ -96,6 +96,30 @@ TEST_CASE("BodyStore: ids in order and never again, slots again, counts that hol
     CHECK(store.bodies.size() == most);
 }
 
+TEST_CASE("BodyStore: no table of ids is kept until a slot is used again, and then it is told of")
+{
+    BodyStore store;
+    for (int i = 0; i < 100; ++i)
+        store.add({Sphere{1}});
+    store.remove(store.slot(40));
+    CHECK(store.slots.empty());
+    CHECK(store.next_id() == 100);
+    CHECK(!store.contains(40));
+    CHECK(store.add({Sphere{2}}) == 40);
+    CHECK(store.slots.size() == 101);
+    CHECK(store.slot(100) == 40);
+    CHECK(store.slot(99) == 99);
+    CHECK(!store.contains(40));
+
+    Scene scene;
+    scene.add({Sphere{1}});
+    scene.update();
+    const std::size_t before = scene.broad_phase_bytes();
+    for (int i = 0; i < 10'000; ++i)
+        scene.remove(scene.add({Sphere{1}}));
+    CHECK(scene.broad_phase_bytes() >= before + 40'000);
+}
+
 TEST_CASE("BodyStore: who is not there is named")
 {
     BodyStore store;

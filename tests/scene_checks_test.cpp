@@ -134,6 +134,11 @@ TEST_CASE("scene checks: each option is named, with its value")
           pair + "start_contact is 9: it must be one of StartContact");
     CHECK(of({.detail = static_cast<Detail>(7)}) == pair + "detail is 7: it must be one of Detail");
     CHECK(of({}).empty());
+    CHECK(refusal([] { check(SceneOptions{.category = 0}); }) ==
+          "brink::Scene: options.category is 0: it must have a bit set");
+    CHECK(refusal([] { check(SceneOptions{.mask = 0}); }).empty());
+    Scene scene;
+    CHECK_THROWS_AS(scene.cast(Sphere{1}, {}, {.category = 0}), std::invalid_argument);
 }
 
 TEST_CASE("scene checks: casts and rays")

@@ -125,15 +125,6 @@ TEST_CASE("scene: whichever layers are switched off, the answers are the same")
     }
 }
 
-TEST_CASE("scene: 3,000 bodies")
-{
-    for (const std::string_view name : {"gas", "bullets", "asleep"}) {
-        CAPTURE(name);
-        const SceneModel model = draw_model(name, 3000, 41);
-        check_against_brute_force(model, {});
-    }
-}
-
 TEST_CASE("scene: the ledger tells of every pair once")
 {
     for (const std::string_view name : support::scene_names) {

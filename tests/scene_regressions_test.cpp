@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -180,4 +182,102 @@ TEST_CASE("scene: a floor away from the origin is met whatever layers are off")
     CHECK(scene.impacts(options).found.size() == 1);
     CHECK(scene.candidates(Bounds::boxes).size() == 1);
     CHECK(scene.candidates(Bounds::balls).size() == 1);
+}
+
+TEST_CASE("scene: a body or a point of the scene's own may be given back to it")
+{
+    Scene scene;
+    Body first = at(Sphere{2}, {5, 0, 0});
+    first.category = 4;
+    scene.add(first);
+    for (BodyId id = 1; id <= 100; ++id) {
+        CHECK(scene.add(scene.body(id % 2 == 0 ? 0 : id - 1)) == id);
+        CHECK(std::get<Sphere>(scene.body(id).shape).radius == 2);
+        CHECK(scene.body(id).motion.start.position == Vec3(5, 0, 0));
+        CHECK(scene.body(id).category == 4);
+    }
+    scene.remove(7);
+    scene.add(scene.body(8)); // into the place of the seventh
+    scene.replace(3, scene.body(4));
+    scene.replace(3, scene.body(3));
+    scene.set_motion(3, scene.body(3).motion);
+    CHECK(scene.body(3).motion.start.position == Vec3(5, 0, 0));
+    CHECK(scene.impacts().found.size() == 101 * 100 / 2);
+
+    Scene two;
+    two.add(at(Sphere{1}, {5, 0, 0}));
+    two.add(at(Sphere{1}, {5, 5, 0}));
+    const RayImpacts met = two.ray_cast_all({0, 0, 0}, {1, 0, 0}, 9);
+    REQUIRE(met.found.size() == 1);
+    const Vec3 from = met.found[0].hit.point;
+    const RayImpacts next = two.ray_cast_all(met.found[0].hit.point, {1, 5, 0}, 9); // a point that is cleared
+    REQUIRE(next.found.size() == 2);
+    const RayHit alone = ray_cast(from, {1, 5, 0}, Sphere{1}, two.body(1).motion.start, 9);
+    CHECK(next.found[1].hit.t == alone.t);
+}
+
+TEST_CASE("scene: a ray without end, a body beyond all bounds and a budget")
+{
+    Scene scene;
+    for (const double x : {20.0, 10.0, 1e300})
+        scene.add(at(Sphere{1}, {x, 0, 0}));
+    SceneOptions options;
+    for (const double t_max : {1e3, infinity})
+        for (const std::size_t budget : {0U, 1U, 2U}) {
+            CAPTURE(t_max);
+            CAPTURE(budget);
+            options.max_tests = budget;
+            const RayImpact met = scene.ray_cast({0, 0, 0}, {1, 0, 0}, t_max, options);
+            CHECK(met.hit.t <= 9);
+            CHECK((met.body == 1 || met.hit.status == Status::undecided));
+            const RayImpacts all = scene.ray_cast_all({0, 0, 0}, {1, 0, 0}, t_max, options);
+            CHECK(!all.complete);
+            CHECK(all.known_until <= (budget == 0 ? 9 : t_max));
+            for (const double x : {9.0, 19.0})
+                CHECK(
+                    (all.known_until <= x || std::any_of(all.found.begin(), all.found.end(),
+                                                         [&](const RayImpact& r) { return r.hit.t == x; })));
+        }
+    options.max_tests = 3;
+    CHECK(scene.ray_cast({0, 0, 0}, {1, 0, 0}, infinity, options).body == 1);
+    CHECK(scene.ray_cast_all({0, 0, 0}, {1, 0, 0}, infinity, options).complete);
+}
+
+TEST_CASE("scene: a query that is refused within another leaves that one's results alone")
+{
+    Scene scene;
+    const int n = 600;
+    for (int i = 0; i < n; ++i)
+        scene.add(at(Sphere{1}, {0.001 * i, 0, 0}));
+    const std::vector<std::function<void()>> acts{[&] { scene.cast(Sphere{1}, {}); },
+                                                  [&] { scene.cast_all(Sphere{1}, {}); },
+                                                  [&] { scene.overlapping(); },
+                                                  [&] {
+                                                      scene.ray_cast({0, 0, 0}, {1, 0, 0});
+                                                  },
+                                                  [&] {
+                                                      scene.ray_cast_all({0, 0, 0}, {1, 0, 0});
+                                                  },
+                                                  [&] { scene.candidates(); },
+                                                  [&] { scene.impacts(); },
+                                                  [&] { scene.safe_times(); }};
+    for (const auto& act : acts) {
+        std::atomic<int> refused = 0;
+        scene.set_filter([&](BodyId a, BodyId b) {
+            if (a != 300 || b != 400) return true;
+            try {
+                act();
+            } catch (const std::logic_error&) {
+                ++refused;
+            }
+            return true;
+        });
+        const std::size_t pairs = n * (n - 1) / 2;
+        CHECK(scene.impacts().found.size() == pairs);
+        CHECK(scene.overlapping().found.size() == pairs);
+        const std::span<const BodyPair> candidates = scene.candidates();
+        CHECK(candidates.size() == pairs);
+        CHECK(std::none_of(candidates.begin(), candidates.end(), [](BodyPair p) { return p.a == no_body; }));
+        CHECK(refused >= 3);
+    }
 }

@@ -10,10 +10,6 @@
 #include <stdexcept>
 #include <string>
 
-#if BRINK_HAVE_TBB
-#include <tbb/task_arena.h>
-#endif
-
 using namespace brink;
 using support::draw_model;
 using support::Random;
@@ -221,40 +217,47 @@ TEST_CASE("scene: a visitor that changes or asks the scene is told that it must 
     CHECK(scene.impacts().found.size() == 1);
 }
 
-#if BRINK_HAVE_TBB
-TEST_CASE("scene: the same bits on any number of threads")
+TEST_CASE("scene: bodies at one place whose masks exclude each other are passed over together")
 {
-    for (const std::string_view name : support::scene_names) {
-        CAPTURE(name);
-        const SceneModel model = draw_model(name, 3000, 17);
-        std::vector<Impact> one;
-        std::vector<SafeTime> safe;
-        Ledger ledger;
-        for (const int threads : {1, 2, 3, 4, 16}) {
-            CAPTURE(threads);
-            tbb::task_arena arena(threads);
-            arena.execute([&] {
-                Scene scene = support::scene_of(model);
-                const Impacts got = scene.impacts();
-                const Ledger now = scene.ledger();
-                if (threads == 1) {
-                    one.assign(got.found.begin(), got.found.end());
-                    ledger = now;
-                }
-                REQUIRE(got.found.size() == one.size());
-                for (std::size_t i = 0; i < one.size(); ++i)
-                    REQUIRE(same(got.found[i], one[i]));
-                CHECK(now.removed == ledger.removed);
-                CHECK(now.exact == ledger.exact);
-                const Impact first = scene.first_impact();
-                if (!one.empty()) CHECK(same(first, one.front()));
-                const std::span<const SafeTime> times = scene.safe_times();
-                if (threads == 1) safe.assign(times.begin(), times.end());
-                REQUIRE(times.size() == safe.size());
-                for (std::size_t i = 0; i < safe.size(); ++i)
-                    REQUIRE((times[i].body == safe[i].body && times[i].t == safe[i].t));
-            });
-        }
+    constexpr std::size_t n = 30'000;
+    for (const bool rest : {false, true}) {
+        Scene scene;
+        for (std::size_t i = 0; i < n; ++i)
+            scene.add({.shape = Sphere{1}, .category = 2, .mask = 1, .asleep = rest && i % 2 == 0});
+        CHECK(scene.impacts().found.empty());
+        CHECK(scene.ledger().by(Layer::mask) < 20 * n); // not of n^2 / 2
+        CHECK(scene.overlapping().found.empty());
+        CHECK(scene.ledger().by(Layer::mask) < 20 * n);
+        CHECK(scene.cast_all(Sphere{1}, {}).complete);
+        CHECK(scene.safe_times().size() == n);
+        scene.add({.shape = Sphere{1}}); // in group 1, which they all meet
+        CHECK(scene.impacts().found.size() == n);
     }
 }
-#endif
+
+TEST_CASE("scene: groups that live apart or mixed are answered as brute force answers")
+{
+    Random random(41);
+    std::size_t impacts = 0;
+    for (const std::string_view name : support::scene_names) {
+        for (const bool mixed : {false, true}) {
+            CAPTURE(name);
+            CAPTURE(mixed);
+            SceneModel model = draw_model(name, 400, 43);
+            for (Body& b : model.bodies) {
+                const auto part = static_cast<unsigned>(mixed                             ? random.index(4)
+                                                        : b.motion.start.position.x() > 5 ? 2
+                                                                                          : 0);
+                b.category = 1U << part;
+                b.mask = part == 0 ? 0xffffffff : part == 2 ? 0xbU : 0x5U;
+            }
+            Scene scene = support::scene_of(model);
+            check_equal(scene, model);
+            for (int k = 0; k < 40; ++k)
+                change(random, scene, model);
+            check_equal(scene, model);
+            impacts += model.impacts().size();
+        }
+    }
+    CHECK(impacts > 500);
+}

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 using namespace brink;
@@ -260,4 +261,26 @@ TEST_CASE("scene: no visitor may change or ask the scene, whatever it is told of
     CHECK_THROWS_AS(scene.visit_ray({0, 0, 0}, {1, 0, 0}, {}), std::invalid_argument);
     CHECK_THROWS_AS(scene.visit_cast(Sphere{1}, {}, {}), std::invalid_argument);
     CHECK_THROWS_AS(scene.visit_safe_times({}), std::invalid_argument);
+}
+
+TEST_CASE("scene: a visitor that answers NaN is told of nothing more")
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    Scene scene;
+    for (int i = 0; i < 20; ++i)
+        scene.add({Sphere{1}});
+    int told = 0;
+    const auto answer = [&](const auto&) { return ++told, nan; };
+    scene.visit_impacts(answer);
+    CHECK(told == 1);
+    scene.visit_overlapping(answer);
+    CHECK(told == 2);
+    scene.visit_cast(Sphere{1}, {}, answer);
+    CHECK(told == 3);
+    scene.visit_cast(HalfSpace{}, {}, answer);
+    CHECK(told == 4);
+    scene.visit_ray({-5, 0, 0}, {9, 0, 0}, answer);
+    CHECK(told == 5);
+    scene.visit_safe_times(answer);
+    CHECK(told == 6);
 }

@@ -15,6 +15,20 @@ using Mask = std::uint32_t;
 inline constexpr Mask all_lanes = 0xffff;
 inline constexpr std::uint32_t no_slot = 0xffffffff;
 
+/// The groups that some bodies are in and those that they meet, taken together.
+struct Groups {
+    std::uint32_t category = 0xffffffff, mask = 0xffffffff;
+};
+/// Whether two bodies meet, or any of some with any of others may.
+static constexpr bool may_meet(const Groups& a, const Groups& b)
+{
+    return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+static constexpr Groups operator|(const Groups& a, const Groups& b)
+{
+    return {a.category | b.category, a.mask | b.mask};
+}
+
 struct Box3f {
     float min[3], max[3];
 };

@@ -86,6 +86,23 @@ void BlockTree::bound(std::span<const BodyId> ids)
     refit();
 }
 
+void BlockTree::bound_groups(std::span<const Body> bodies)
+{
+    for (std::vector<Groups>& level : groups)
+        level.clear();
+    if (bodies.empty()) return;
+    for (std::size_t l = 0; l < static_cast<std::size_t>(height); ++l)
+        groups[l].assign(levels[l].size(), {0, 0});
+    for_each_part(leaves(), [&](std::size_t leaf) {
+        for (std::size_t k = width * leaf; k < width * (leaf + 1); ++k)
+            if (slots[k] != no_slot)
+                groups[0][leaf] = groups[0][leaf] | Groups{bodies[slots[k]].category, bodies[slots[k]].mask};
+    });
+    for (std::size_t l = 1; l < static_cast<std::size_t>(height); ++l)
+        for (std::size_t k = 0; k < groups[l - 1].size(); ++k)
+            groups[l][k / width] = groups[l][k / width] | groups[l - 1][k];
+}
+
 void BlockTree::refit()
 {
     for (std::size_t l = 1; l < static_cast<std::size_t>(height); ++l) {
@@ -119,6 +136,8 @@ std::size_t BlockTree::bytes() const
         sum += bytes_of(level);
     for (const auto& ids : least)
         sum += bytes_of(ids);
+    for (const auto& level : groups)
+        sum += bytes_of(level);
     return sum;
 }
 

@@ -13,14 +13,15 @@ namespace brink {
 /// A bounding volume hierarchy without pointers: leaves of sixteen bodies that lie near each other, and above
 /// them, level by level, blocks of sixteen bounds; lane k of block i bounds block 16 i + k one level below.
 struct BlockTree {
-    static constexpr int max_levels = 9;               // 16^9 > 2^32
-    std::array<std::vector<Boxes>, max_levels> levels; // [0]: the leaves
-    std::array<std::vector<BodyId>, max_levels> least; // the lowest id within each block
-    int height = 0;                                    // levels in use
-    std::vector<Balls> balls;                          // of the leaves
-    std::vector<std::uint32_t> slots;                  // sixteen a leaf; no_slot where there is no body
-    std::size_t count = 0;                             // bodies
-    bool still = false;                                // they all rest
+    static constexpr int max_levels = 9;                // 16^9 > 2^32
+    std::array<std::vector<Boxes>, max_levels> levels;  // [0]: the leaves
+    std::array<std::vector<BodyId>, max_levels> least;  // the lowest id within each block
+    std::array<std::vector<Groups>, max_levels> groups; // of each block; empty where all may meet
+    int height = 0;                                     // levels in use
+    std::vector<Balls> balls;                           // of the leaves
+    std::vector<std::uint32_t> slots;                   // sixteen a leaf; no_slot where there is no body
+    std::size_t count = 0;                              // bodies
+    bool still = false;                                 // they all rest
 
     std::size_t leaves() const { return levels[0].size(); }
     Mask held(std::size_t leaf) const;
@@ -31,6 +32,8 @@ struct BlockTree {
     void erase(std::size_t place);
     /// The levels above the leaves, from the leaves. ids: by slot.
     void bound(std::span<const BodyId> ids);
+    /// What groups there are within the blocks. bodies: by slot; none where all may meet.
+    void bound_groups(std::span<const Body> bodies);
     /// The same after bodies have moved or left: the lowest ids may be of some that left.
     void refit();
     Box3f bound_of_leaf(std::uint32_t leaf) const

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace brink {
 
@@ -28,36 +29,54 @@ void BodyStore::count(const Body& b, std::size_t by)
         asleep += by;
 }
 
-bool BodyStore::contains(BodyId id) const { return id < slots.size() && slots[id] != no_slot; }
+bool BodyStore::contains(BodyId id) const
+{
+    if (!reused) return id < ids.size() && ids[id] != no_body;
+    return id < slots.size() && slots[id] != no_slot;
+}
 
 std::uint32_t BodyStore::slot(BodyId id) const
 {
-    if (contains(id)) return slots[id];
+    if (contains(id)) return slot_of(id);
     throw std::invalid_argument("brink::Scene: there is no body " + std::to_string(id) +
-                                (id < slots.size() ? ": it was removed" : ""));
+                                (id < next_id() ? ": it was removed" : ""));
 }
 
-std::uint32_t BodyStore::add(const Body& body)
+/// From now on slots are no longer ids.
+void BodyStore::make_table()
 {
-    if (slots.size() >= no_body)
-        throw std::length_error("brink::Scene: as many bodies were added as there are ids");
-    make_room(slots); // first: where there is no memory left the scene stays as it was
+    std::vector<std::uint32_t> table;
+    table.reserve(ids.size() + 16);
+    for (const BodyId id : ids)
+        table.push_back(id == no_body ? no_slot : id);
+    slots = std::move(table);
+    reused = true;
+}
+
+/// A body by value: it may be one of ours, which move when there is to be room for one more.
+std::uint32_t BodyStore::add(Body body)
+{
+    const BodyId id = next_id();
+    if (id == no_body) throw std::length_error("brink::Scene: as many bodies were added as there are ids");
+    // Room first: where there is no memory left the scene stays as it was.
     if (free_slots.empty()) {
+        if (reused) make_room(slots);
         make_room(bodies);
         make_room(ids);
         free_slots.reserve(bodies.capacity());
-        bodies.push_back(body);
+        bodies.push_back(std::move(body));
         ids.push_back(no_body);
         free_slots.push_back(static_cast<std::uint32_t>(bodies.size() - 1));
     } else {
-        bodies[free_slots.back()] = body;
-        reused = true;
+        if (!reused) make_table();
+        make_room(slots);
+        bodies[free_slots.back()] = std::move(body);
     }
     const std::uint32_t slot = free_slots.back();
     free_slots.pop_back();
-    ids[slot] = static_cast<BodyId>(slots.size());
-    slots.push_back(slot);
-    count(body, 1);
+    ids[slot] = id;
+    if (reused) slots.push_back(slot);
+    count(bodies[slot], 1);
     return slot;
 }
 
@@ -71,7 +90,7 @@ void BodyStore::replace(std::uint32_t slot, const Body& body)
 void BodyStore::remove(std::uint32_t slot)
 {
     count(bodies[slot], static_cast<std::size_t>(-1));
-    slots[ids[slot]] = no_slot;
+    if (reused) slots[ids[slot]] = no_slot;
     ids[slot] = no_body;
     bodies[slot] = {};
     free_slots.push_back(slot); // there is room: it was taken from here

@@ -12,7 +12,7 @@ namespace brink {
 struct BodyStore {
     std::vector<Body> bodies;         // by slot
     std::vector<BodyId> ids;          // by slot; no_body where the slot is free
-    std::vector<std::uint32_t> slots; // by id; no_slot where the body is gone
+    std::vector<std::uint32_t> slots; // by id, where reused; no_slot where the body is gone
     std::vector<std::uint32_t> free_slots;
     bool reused = false;                   // some slot has had more than one body: until then it is the id
     std::size_t picky = 0;                 // bodies whose mask leaves some group out
@@ -29,15 +29,20 @@ struct BodyStore {
     std::size_t count() const { return bodies.size() - free_slots.size(); }
     /// Of the body in a slot. Does not ask memory for what is known without.
     BodyId id(std::uint32_t of_slot) const { return reused ? ids[of_slot] : of_slot; }
+    /// That the next body will have.
+    BodyId next_id() const { return static_cast<BodyId>(reused ? slots.size() : ids.size()); }
+    /// Of a body that is there.
+    std::uint32_t slot_of(BodyId of) const { return reused ? slots[of] : of; }
     bool contains(BodyId) const;
     /// Throws std::invalid_argument where there is no such body.
     std::uint32_t slot(BodyId) const;
     /// The body's slot; ids[slot] is its id.
-    std::uint32_t add(const Body&);
+    std::uint32_t add(Body);
     void replace(std::uint32_t slot, const Body&);
     void remove(std::uint32_t slot);
 
 private:
+    void make_table();
     void count(const Body&, std::size_t by);
 };
 

@@ -32,6 +32,12 @@ Seat seat(std::size_t place, Home home)
     return s;
 }
 
+void reserve_more(std::vector<std::uint32_t>& list, std::size_t more)
+{
+    const std::size_t need = list.size() + more;
+    if (need > list.capacity()) list.reserve(std::max(need, 2 * list.capacity()));
+}
+
 } // namespace
 
 const BlockTree& BroadPhase::tree(Home home) const
@@ -39,11 +45,24 @@ const BlockTree& BroadPhase::tree(Home home) const
     return home == Home::movers ? movers : home == Home::resting ? resting : arrived;
 }
 
+void BroadPhase::make_room(std::size_t slots)
+{
+    if (slots > seats_.capacity()) seats_.reserve(slots + slots / 8);
+    for (auto* list : {&unbounded, &new_movers_, &new_resting_})
+        reserve_more(*list, 1);
+}
+
+void BroadPhase::make_room_to_rest(std::size_t more) { reserve_more(new_resting_, more); }
+
 void BroadPhase::add(std::uint32_t slot, const BodyStore& store)
 {
-    const std::size_t slots = store.bodies.size();
-    if (slots > seats_.capacity()) seats_.reserve(slots + slots / 8);
-    seats_.resize(slots);
+    make_room(store.bodies.size());
+    seats_.resize(store.bodies.size());
+    if (!torn_) join(slot, store); // otherwise it is found with all others
+}
+
+void BroadPhase::join(std::uint32_t slot, const BodyStore& store)
+{
     const Body& body = store.bodies[slot];
     if (brink::unbounded(body.shape)) {
         unbounded.push_back(slot);
@@ -67,6 +86,8 @@ void BroadPhase::take_out(std::vector<std::uint32_t>& joining, std::size_t place
 void BroadPhase::remove(std::uint32_t slot)
 {
     const Seat from = seats_[slot];
+    seats_[slot].home = Home::none;
+    if (torn_) return; // it will not be found any more
     if (from.home == Home::unbounded)
         std::erase(unbounded, slot);
     else if (from.home == Home::new_mover)
@@ -75,17 +96,16 @@ void BroadPhase::remove(std::uint32_t slot)
         take_out(new_resting_, from.place);
     else
         tree(from.home).erase(from.place);
-    seats_[slot].home = Home::none;
 }
 
 void BroadPhase::moved(std::uint32_t slot, const BodyStore& store)
 {
-    const Home home = seats_[slot].home;
-    if (home == Home::movers) {
+    if (torn_) return;
+    if (is_mover(slot)) {
         movers.set(seats_[slot].place, slot, sweep(store.bodies[slot], origin));
-    } else if (home == Home::resting || home == Home::arrived) {
+    } else if (is_resting(slot)) {
         remove(slot);
-        add(slot, store);
+        join(slot, store);
     }
 }
 
@@ -98,6 +118,26 @@ Box3f BroadPhase::box(std::uint32_t slot) const
 }
 
 void BroadPhase::update(const BodyStore& store)
+{
+    if (torn_) start_over(store);
+    torn_ = true; // where memory runs out on the way
+    bring_up_to_date(store);
+    torn_ = false;
+}
+
+void BroadPhase::start_over(const BodyStore& store)
+{
+    for (std::vector<std::uint32_t>* list : {&unbounded, &new_movers_, &new_resting_})
+        list->clear();
+    for (BlockTree* tree : {&movers, &resting, &arrived})
+        tree->clear();
+    for (std::uint32_t slot = 0; slot < store.bodies.size(); ++slot) {
+        seats_[slot] = Seat{};
+        if (store.ids[slot] != no_body) join(slot, store);
+    }
+}
+
+void BroadPhase::bring_up_to_date(const BodyStore& store)
 {
     const bool joined = !new_movers_.empty() || !new_resting_.empty();
     if (joined) {
@@ -162,6 +202,7 @@ void BroadPhase::build(BlockTree& to, Home home, std::vector<std::uint32_t>& joi
         }
     });
     to.bound(store.ids);
+    to.bound_groups(store.picky > 0 ? std::span<const Body>(store.bodies) : std::span<const Body>());
     if (home == Home::movers) {
         spread_when_built_ = to.spread();
         bounds_moved_ = false;

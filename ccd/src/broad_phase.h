@@ -29,11 +29,20 @@ struct BroadPhase {
     BlockTree movers, resting, arrived;
     std::vector<std::uint32_t> unbounded; // slots, in the order of their arrival
 
+    /// The next body that is added needs no memory then, if there are so many slots with it.
+    void make_room(std::size_t slots);
+    /// Nor do so many that rest, when they are moved.
+    void make_room_to_rest(std::size_t more);
     void add(std::uint32_t slot, const BodyStore&);
     void remove(std::uint32_t slot);
     /// Its motion is another than before. Side by side only for bodies in the movers' tree, then
     /// refit_later().
     void moved(std::uint32_t slot, const BodyStore&);
+    std::size_t place(std::uint32_t slot) const { return seats_[slot].place; } // in its tree
+    bool is_resting(std::uint32_t slot) const
+    {
+        return seats_[slot].home == Home::resting || seats_[slot].home == Home::arrived;
+    }
     void refit_later() { bounds_moved_ = true; }
     bool is_mover(std::uint32_t slot) const { return seats_[slot].home == Home::movers; }
     /// Notes that a change names this body; false if it was noted already.
@@ -44,6 +53,7 @@ struct BroadPhase {
         return !before;
     }
     void forget_name(std::uint32_t slot) { seats_[slot].named = false; }
+    /// Where memory runs out, the next update finds all bodies anew.
     void update(const BodyStore&);
     /// The bounds as held; after update().
     Box3f box(std::uint32_t slot) const;
@@ -52,6 +62,9 @@ struct BroadPhase {
 
 private:
     void build(BlockTree&, Home, std::vector<std::uint32_t>& joining, const BodyStore&);
+    void join(std::uint32_t slot, const BodyStore&);
+    void start_over(const BodyStore&);
+    void bring_up_to_date(const BodyStore&);
     void rebuild_all(const BodyStore&);
     void settle(const BodyStore&);
     void take_out(std::vector<std::uint32_t>& joining, std::size_t place);
@@ -61,6 +74,7 @@ private:
     std::vector<Seat> seats_; // by slot
     std::vector<std::uint32_t> new_movers_, new_resting_;
     PlaceSorting sorting_;
+    bool torn_ = false;         // an update was left half way: seats and trees need not hold
     bool bounds_moved_ = false; // of movers, since the levels above them were told
     double spread_when_built_ = 0;
 };

@@ -192,6 +192,10 @@ public:
     }
     bool matters(std::uint32_t child) const
     {
+        if (rules_.groups) {
+            const std::vector<Groups>& groups = tree_.groups[static_cast<std::size_t>(level_ - 1)];
+            if (!groups.empty() && !may_meet(p_.groups, groups[child])) return false;
+        }
         if (!(p_.least > rules_.below)) return true;
         return !(tree_.least[static_cast<std::size_t>(level_ - 1)][child] > rules_.below);
     }

@@ -20,6 +20,7 @@ struct Packet {
     Box3f bound = empty_box;
     bool dense = false;     // the boxes fill the bound well enough to stand for it
     BodyId least = no_body; // the lowest id
+    Groups groups;          // of all of them
     std::uint32_t slots[lanes]{};
 };
 
@@ -31,6 +32,7 @@ struct JoinRules {
     float grown = 0;                                   // balls that come this near count as meeting
     float until = 1;                                   // meetings later than this are late
     float follow = 1;                                  // 0: the tree's bodies stand still at their start
+    bool groups = false;                               // blocks that exclude each other are left out
     BodyId below = no_body; // pairs of which neither id is at most this do not matter
 };
 

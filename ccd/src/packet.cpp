@@ -107,6 +107,7 @@ void make_packet(Packet& p, const BlockTree& tree, std::uint32_t leaf, const Pla
     p.boxes = tree.levels[0][leaf];
     p.held = tree.held(leaf);
     p.least = tree.least[0][leaf];
+    p.groups = tree.groups[0].empty() ? Groups{} : tree.groups[0][leaf];
     p.far = 0;
     std::copy_n(tree.slots.begin() + static_cast<std::ptrdiff_t>(first), lanes, p.slots);
     if (plan.with_balls) p.balls = tree.balls[leaf];
@@ -135,6 +136,7 @@ Packet packet_of(const Sweep& sweep, const Plan& plan)
     p.held = 1;
     p.far = plan.rules.balls && magnitude(p.balls, 0) > long_path * sweep.radius ? 1 : 0;
     p.slots[0] = no_slot;
+    p.groups = {plan.category, plan.mask};
     if (plan.grown > 0) grow(p.boxes, plan.rules.grown);
     p.bound = bound_of(p.boxes);
     return p;

@@ -5,6 +5,7 @@
 #include "sweep.h"
 #include "tolerance.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -26,11 +27,11 @@ std::size_t check_named(const BodyStore& store, BroadPhase& broad, std::span<con
     std::size_t others = 0, named = 0;
     const auto forget = [&] {
         for (const BodyId id : bodies.first(named))
-            broad.forget_name(store.slots[id]);
+            broad.forget_name(store.slot_of(id));
     };
     for (const BodyId id : bodies) {
-        if (!store.contains(id) || !broad.name(store.slots[id])) break;
-        others += broad.is_mover(store.slots[id]) ? 0 : 1;
+        if (!store.contains(id) || !broad.name(store.slot_of(id))) break;
+        others += broad.is_mover(store.slot_of(id)) ? 0 : 1;
         ++named;
     }
     forget();
@@ -44,14 +45,14 @@ void check_motions(const BodyStore& store, std::span<const BodyId> bodies, std::
 {
     std::atomic<std::size_t> bad = bodies.size(); // the first of them
     for_each_part(bodies.size(), [&](std::size_t i) {
-        if (i + BodyStore::ahead < bodies.size()) store.fetch(store.slots[bodies[i + BodyStore::ahead]]);
-        if (fits(motions[i], store.bodies[store.slots[bodies[i]]])) return;
+        if (i + BodyStore::ahead < bodies.size()) store.fetch(store.slot_of(bodies[i + BodyStore::ahead]));
+        if (fits(motions[i], store.bodies[store.slot_of(bodies[i])])) return;
         std::size_t first = bad.load();
         while (i < first && !bad.compare_exchange_weak(first, i)) {
         }
     });
     if (bad == bodies.size()) return;
-    check(motions[bad], store.bodies[store.slots[bodies[bad]]], bodies[bad]);
+    check(motions[bad], store.bodies[store.slot_of(bodies[bad])], bodies[bad]);
 }
 
 } // namespace
@@ -64,7 +65,8 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 BodyId Scene::add(const Body& body)
 {
     refuse_while_asked(*data_);
-    check(body, static_cast<BodyId>(data_->store.slots.size()));
+    check(body, data_->store.next_id());
+    data_->broad.make_room(data_->store.bodies.size() + 1); // first: where there is none nothing changes
     const std::uint32_t slot = data_->store.add(body);
     data_->broad.add(slot, data_->store);
     return data_->store.ids[slot];
@@ -75,6 +77,7 @@ void Scene::replace(BodyId id, const Body& body)
     refuse_while_asked(*data_);
     const std::uint32_t slot = data_->store.slot(id);
     check(body, id);
+    data_->broad.make_room(data_->store.bodies.size());
     data_->broad.remove(slot);
     data_->store.replace(slot, body);
     data_->broad.add(slot, data_->store);
@@ -101,14 +104,17 @@ void Scene::set_motions(std::span<const BodyId> bodies, std::span<const Motion> 
     BroadPhase& broad = data_->broad;
     const std::size_t at_rest = check_named(store, broad, bodies);
     check_motions(store, bodies, motions);
+    if (at_rest > 0)
+        broad.make_room_to_rest(static_cast<std::size_t>(std::count_if(
+            bodies.begin(), bodies.end(), [&](BodyId id) { return broad.is_resting(store.slot_of(id)); })));
     for_each_part(bodies.size(), [&](std::size_t i) {
-        if (i + BodyStore::ahead < bodies.size()) store.fetch(store.slots[bodies[i + BodyStore::ahead]]);
-        const std::uint32_t slot = store.slots[bodies[i]];
+        if (i + BodyStore::ahead < bodies.size()) store.fetch(store.slot_of(bodies[i + BodyStore::ahead]));
+        const std::uint32_t slot = store.slot_of(bodies[i]);
         store.bodies[slot].motion = motions[i];
         if (broad.is_mover(slot)) broad.moved(slot, store);
     });
     for (std::size_t i = 0; at_rest > 0 && i < bodies.size(); ++i)
-        if (const std::uint32_t slot = store.slots[bodies[i]]; !broad.is_mover(slot))
+        if (const std::uint32_t slot = store.slot_of(bodies[i]); !broad.is_mover(slot))
             broad.moved(slot, store);
     broad.refit_later();
 }
@@ -162,16 +168,19 @@ void Scene::update()
 }
 
 const Ledger& Scene::ledger() const { return data_->ledger; }
-std::size_t Scene::broad_phase_bytes() const { return data_->broad.bytes(); }
+std::size_t Scene::broad_phase_bytes() const
+{
+    return data_->broad.bytes() + data_->store.slots.capacity() * sizeof(std::uint32_t);
+}
 
 Asking::Asking(SceneData& data) : data_(data)
 {
     refuse_while_asked(data);
     data.ledger = {};
-    const auto began = std::chrono::steady_clock::now();
-    data.broad.update(data.store);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-    data.ledger.update_seconds = took.count();
+    {
+        const Timed updating(data.ledger.update_seconds);
+        data.broad.update(data.store);
+    }
     data.busy = true;
 }
 
@@ -183,6 +192,7 @@ Plan Asking::plan(const SceneOptions& options) const
     plan.rules.receding = !off.has(Layer::receding);
     plan.rules.spheres = !off.has(Layer::spheres);
     plan.rules.late = !off.has(Layer::late);
+    plan.rules.groups = !off.has(Layer::mask);
     plan.rules.balls = plan.rules.receding || plan.rules.spheres || plan.rules.late;
     plan.wide = !off.has(Layer::simd);
     plan.without = off;

@@ -32,6 +32,7 @@ struct Cast {
 /// A plane or half-space is asked against everything bounded.
 template <class Met> void cast_unbounded(SceneData& data, const Plan& plan, Met& met)
 {
+    const Timed deciding(data.search.decide_seconds);
     for (std::uint32_t slot = 0; slot < data.store.bodies.size(); ++slot) {
         const Body& b = data.store.bodies[slot];
         if (data.store.ids[slot] == no_body || unbounded(b.shape)) continue;
@@ -44,9 +45,8 @@ template <class Met> void cast_unbounded(SceneData& data, const Plan& plan, Met&
 }
 
 /// Tells of what a shape meets; returns a time before which it meets nothing that was not asked about.
-template <class Tell> double cast(SceneData& data, const Cast& cast, Tell tell)
+template <class Tell> double cast(SceneData& data, const Asking& asking, const Cast& cast, Tell tell)
 {
-    const Asking asking(data);
     Plan plan = asking.plan(cast.options);
     plan.category = cast.options.category;
     plan.mask = cast.options.mask;
@@ -84,9 +84,10 @@ Cast checked(const Shape& shape, const Motion& motion, const SceneOptions& optio
 Impact Scene::cast(const Shape& shape, const Motion& motion, const SceneOptions& options)
 {
     const Cast asked = checked(shape, motion, options);
+    const Asking asking(*data_);
     std::vector<Impact>& found = data_->impacts;
     found.clear();
-    const double open = brink::cast(*data_, asked, keep_first(found, Cast::begins));
+    const double open = brink::cast(*data_, asking, asked, keep_first(found, Cast::begins));
     if (!found.empty() && found.front().toi.t <= open) return found.front();
     Impact none;
     none.toi.t = std::min(open, options.pair.t_max);
@@ -97,8 +98,9 @@ Impact Scene::cast(const Shape& shape, const Motion& motion, const SceneOptions&
 Impacts Scene::cast_all(const Shape& shape, const Motion& motion, const SceneOptions& options)
 {
     const Cast asked = checked(shape, motion, options);
+    const Asking asking(*data_);
     data_->impacts.clear();
-    const double open = brink::cast(*data_, asked, keep_all(data_->impacts));
+    const double open = brink::cast(*data_, asking, asked, keep_all(data_->impacts));
     return {in_order(*data_), std::min(open, options.pair.t_max), open == infinity};
 }
 
@@ -107,7 +109,8 @@ double Scene::visit_cast(const Shape& shape, const Motion& motion, const Visitor
 {
     const Cast asked = checked(shape, motion, options);
     check_visitor(visitor);
-    return brink::cast(*data_, asked, std::cref(visitor));
+    const Asking asking(*data_);
+    return brink::cast(*data_, asking, asked, std::cref(visitor));
 }
 
 } // namespace brink

@@ -122,6 +122,7 @@ void check(const Body& b, BodyId id)
 
 void check(const SceneOptions& options)
 {
+    if (options.category == 0) refuse("options.", {"category", "0", false, "must have a bit set"});
     const Options& o = options.pair;
     if (valid(o)) return;
     refuse_first(

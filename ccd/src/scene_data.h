@@ -12,7 +12,7 @@ namespace brink {
 struct Halt {
     double t;
     BodyId a, b;
-    BodyId halted; // which of them had already halted when this was asked
+    BodyId halted; // which of them had already halted when this was asked; no_body where none had
 };
 
 /// The bodies, what is known of where they may be, and the memory of queries.
@@ -33,8 +33,11 @@ struct SceneData {
     std::vector<Key> keys;
     std::vector<BodyPair> pairs;
     std::vector<SafeTime> safe_times;
-    std::vector<Halt> halts;
+    std::vector<Halt> contacts; // of what moves, from the earliest on
+    std::vector<Halt> halts;    // of what moves at what has halted: a heap
     std::vector<double> halted; // by slot: when; infinity while it moves
+    std::vector<double> sure;   // by slot: a time by which it will have halted
+    BlockTree moving;           // the movers that are not sure to halt at once
     std::vector<RayImpact> rays;
 };
 
@@ -73,6 +76,12 @@ static inline std::size_t allowed(const Chunk& chunk, const SceneOptions& option
 template <class Visitor> void check_visitor(const Visitor& visitor)
 {
     if (!visitor) throw std::invalid_argument("brink::Scene: a visit was given an empty visitor");
+}
+
+/// The time until which a visitor wants to hear of more, after an answer; negative where of nothing.
+static inline double narrowed(double until, double answer)
+{
+    return answer >= 0 ? std::min(until, answer) : -1; // NaN ends it too
 }
 
 static inline bool in_contact(const Toi& toi)

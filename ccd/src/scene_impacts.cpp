@@ -143,12 +143,13 @@ Impact Scene::first_impact(const SceneOptions& options)
         return none(Status::undecided, unasked);
     if (!Earliest::found(best)) return none(Status::separated, t_max);
     if (options.pair.detail == Detail::time_only) return best;
-    return ask(data.store, data.store.slots[best.a], data.store.slots[best.b], options.pair);
+    const Timed deciding(data.ledger.exact_seconds);
+    return ask(data.store, data.store.slot_of(best.a), data.store.slot_of(best.b), options.pair);
 }
 
 std::span<const Impact> in_order(SceneData& data)
 {
-    const auto began = std::chrono::steady_clock::now();
+    const Timed ordering(data.ledger.order_seconds);
     data.keys.clear();
     for (const Impact& i : data.impacts)
         data.keys.push_back({i.toi.t, i.a, i.b, static_cast<std::uint32_t>(data.keys.size())});
@@ -159,8 +160,6 @@ std::span<const Impact> in_order(SceneData& data)
     data.ordered.clear();
     for (const SceneData::Key& key : data.keys)
         data.ordered.push_back(data.impacts[key.at]);
-    data.ledger.order_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return data.ordered;
 }
 
@@ -196,8 +195,8 @@ double Scene::visit_impacts(const Visitor& visitor, const SceneOptions& options)
         [&](const Chunk& chunk) {
             for (const Impact& impact : chunk.impacts) {
                 if (impact.toi.t > until) continue;
-                until = std::min(until, visitor(impact));
-                if (!(until >= 0)) return false;
+                until = narrowed(until, visitor(impact));
+                if (until < 0) return false;
             }
             const bool more = unasked.take(chunk, plan);
             if (plan.rules.late) plan.rules.until = std::min(plan.rules.until, round_up(until));

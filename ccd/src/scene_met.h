@@ -31,7 +31,7 @@ public:
             const auto result = query_.ask(store_, slot);
             if (!query_.met(result) || query_.begins(result) > until_) return;
             if (plan_.without.bits == 0 || meets({no_slot, slot, 0}, store_, plan_))
-                until_ = std::min(until_, tell_(result));
+                until_ = narrowed(until_, tell_(result));
         }
     }
     /// Nothing is met before this that was not asked about; infinite where all was asked.

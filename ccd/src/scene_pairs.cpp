@@ -37,10 +37,9 @@ void keep_overlapping(Chunk& chunk, const BodyStore& store, const SceneOptions& 
 
 /// Tells of the pairs that overlap at the start until it returns a negative number; returns 0 where some
 /// were left undecided, infinity where none was.
-template <class Tell> double find_overlapping(SceneData& data, const SceneOptions& options, Tell tell)
+template <class Tell>
+double find_overlapping(SceneData& data, const Asking& asking, const SceneOptions& options, Tell tell)
 {
-    check(options);
-    const Asking asking(data);
     Plan plan = asking.plan(options);
     plan.grown = 0;
     plan.rules.grown = 0;
@@ -53,7 +52,7 @@ template <class Tell> double find_overlapping(SceneData& data, const SceneOption
         [&](const Chunk& chunk) {
             exact += chunk.asked;
             for (std::size_t i = 0; i < chunk.candidates.count; ++i)
-                if (!(tell(pair_of(data.store, chunk.candidates[i])) >= 0)) return false;
+                if (narrowed(0, tell(pair_of(data.store, chunk.candidates[i]))) < 0) return false;
             if (chunk.left > 0) open = 0;
             return open > 0;
         });
@@ -65,12 +64,15 @@ template <class Tell> double find_overlapping(SceneData& data, const SceneOption
 
 Overlaps Scene::overlapping(const SceneOptions& options)
 {
+    check(options);
+    const Asking asking(*data_);
     std::vector<BodyPair>& found = data_->pairs;
     found.clear();
-    const double open = find_overlapping(*data_, options, [&](BodyPair pair) {
+    const double open = find_overlapping(*data_, asking, options, [&](BodyPair pair) {
         found.push_back(pair);
         return infinity;
     });
+    const Timed ordering(data_->ledger.order_seconds);
     std::sort(found.begin(), found.end(),
               [](BodyPair x, BodyPair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
     return {found, open == infinity};
@@ -78,8 +80,10 @@ Overlaps Scene::overlapping(const SceneOptions& options)
 
 double Scene::visit_overlapping(const VisitorOf<BodyPair>& visitor, const SceneOptions& options)
 {
+    check(options);
     check_visitor(visitor);
-    return find_overlapping(*data_, options, std::cref(visitor));
+    const Asking asking(*data_);
+    return find_overlapping(*data_, asking, options, std::cref(visitor));
 }
 
 std::span<const BodyPair> Scene::candidates(Bounds bounds)

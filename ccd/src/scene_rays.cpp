@@ -12,8 +12,7 @@ namespace brink {
 namespace {
 
 struct Ray {
-    const Vec3& origin;
-    const Vec3& direction;
+    Vec3 origin, direction; // not what a caller refers to, which may be what a ray met before
     double t_max;
     const SceneOptions& options;
 
@@ -30,7 +29,7 @@ struct Ray {
 };
 
 /// As many lengths of `direction` as it takes to leave all trees behind, at most t_max: bounds in floats need
-/// an end.
+/// an end. Infinite where a body lies too far away for bounds, or the ray is too slow.
 double leaving(const Ray& ray, const BroadPhase& broad)
 {
     double far = 0;
@@ -48,10 +47,21 @@ double leaving(const Ray& ray, const BroadPhase& broad)
     return longest > 0 ? std::min(ray.t_max, 2 * far / longest) : 0;
 }
 
-/// Tells of what a ray meets; returns a t before which it meets nothing that was not asked about.
-template <class Tell> double cast(SceneData& data, const Ray& ray, Tell tell)
+template <class Met> void ask_unbounded(SceneData& data, const Plan& plan, Met& met)
 {
-    const Asking asking(data);
+    const Timed deciding(data.search.decide_seconds);
+    for (const std::uint32_t slot : data.broad.unbounded) {
+        ++data.search.counts.met;
+        if (plan.without.has(Layer::mask) || meets({no_slot, slot, 0}, data.store, plan))
+            met.look(slot, 0);
+        else
+            ++data.search.masked;
+    }
+}
+
+/// Tells of what a ray meets; returns a t before which it meets nothing that was not asked about.
+template <class Tell> double cast(SceneData& data, const Asking& asking, const Ray& ray, Tell tell)
+{
     Plan plan = asking.plan(ray.options);
     plan.category = ray.options.category;
     plan.mask = ray.options.mask;
@@ -72,16 +82,10 @@ template <class Tell> double cast(SceneData& data, const Ray& ray, Tell tell)
         data.store, data.broad, plan, [](Chunk&) {},
         [&](Chunk& chunk) {
             for (const Candidate& c : by_time(chunk, chunk.candidates.count))
-                met.look(c.b, static_cast<double>(c.t) * end);
+                met.look(c.b, c.t > 0 ? static_cast<double>(c.t) * end : 0); // the end may be infinite
             return met.until() >= 0;
         });
-    for (const std::uint32_t slot : data.broad.unbounded) {
-        ++data.search.counts.met;
-        if (plan.without.has(Layer::mask) || meets({no_slot, slot, 0}, data.store, plan))
-            met.look(slot, 0);
-        else
-            ++data.search.masked;
-    }
+    ask_unbounded(data, plan, met);
     asking.write_ledger(plan, met.asked());
     return met.least_open();
 }
@@ -99,9 +103,10 @@ RayImpact Scene::ray_cast(const Vec3& origin, const Vec3& direction, double t_ma
                           const SceneOptions& options)
 {
     const Ray ray = checked(origin, direction, t_max, options);
+    const Asking asking(*data_);
     std::vector<RayImpact>& found = data_->rays;
     found.clear();
-    const double open = brink::cast(*data_, ray, keep_first(found, Ray::begins));
+    const double open = brink::cast(*data_, asking, ray, keep_first(found, Ray::begins));
     if (!found.empty() && found.front().hit.t <= open) return found.front();
     RayImpact none;
     none.hit.t = std::min(open, t_max);
@@ -113,9 +118,11 @@ RayImpacts Scene::ray_cast_all(const Vec3& origin, const Vec3& direction, double
                                const SceneOptions& options)
 {
     const Ray ray = checked(origin, direction, t_max, options);
+    const Asking asking(*data_);
     std::vector<RayImpact>& found = data_->rays;
     found.clear();
-    const double open = brink::cast(*data_, ray, keep_all(found));
+    const double open = brink::cast(*data_, asking, ray, keep_all(found));
+    const Timed ordering(data_->ledger.order_seconds);
     std::sort(found.begin(), found.end(),
               [](const RayImpact& x, const RayImpact& y) { return earlier(x, y); });
     return {found, std::min(open, t_max), open == infinity};
@@ -126,7 +133,8 @@ double Scene::visit_ray(const Vec3& origin, const Vec3& direction, const Visitor
 {
     const Ray ray = checked(origin, direction, t_max, options);
     check_visitor(visitor);
-    return brink::cast(*data_, ray, std::cref(visitor));
+    const Asking asking(*data_);
+    return brink::cast(*data_, asking, ray, std::cref(visitor));
 }
 
 } // namespace brink

@@ -16,11 +16,11 @@ constexpr std::size_t most_chunks = 128;
 /// Room for the candidates of a chunk.
 constexpr std::size_t most_candidates = 2048;
 
-const BlockTree* tree_of(const BroadPhase& broad, Group group)
+const BlockTree* tree_of(const BroadPhase& broad, const Plan& plan, Group group)
 {
     switch (group) {
     case Group::movers:
-        return &broad.movers;
+        return plan.movers ? plan.movers : &broad.movers;
     case Group::resting:
         return &broad.resting;
     case Group::arrived:
@@ -62,7 +62,7 @@ void Search::begin(const BodyStore& store, const BroadPhase& broad, const Plan& 
     fresh_ = 0;
     unbounded_move_ = std::any_of(broad.unbounded.begin(), broad.unbounded.end(),
                                   [&](std::uint32_t slot) { return !at_rest(store.bodies[slot]); });
-    mover_leaves_ = static_cast<std::uint32_t>(broad.movers.leaves());
+    mover_leaves_ = static_cast<std::uint32_t>(tree_of(broad, plan, Group::movers)->leaves());
     resting_leaves_ = static_cast<std::uint32_t>(broad.resting.leaves());
     const bool rest = plan.rest_pairs || unbounded_move_;
     fresh_count_ = plan.alone ? 1 : mover_leaves_ + (rest ? resting_leaves_ + broad.arrived.leaves() : 0);
@@ -118,7 +118,7 @@ void Search::find(Chunk& chunk, const BodyStore& store, const BroadPhase& broad,
     Packet own;
     for (chunk.items_done = 0; chunk.items_done < chunk.item_count; ++chunk.items_done) {
         Item& item = chunk.items[chunk.items_done];
-        if (!plan.alone) make_packet(own, *tree_of(broad, item.source), item.leaf, plan);
+        if (!plan.alone) make_packet(own, *tree_of(broad, plan, item.source), item.leaf, plan);
         const Packet& packet = plan.alone ? *plan.alone : own;
         for (; item.against <= Group::unbounded; item.against = after(item.against), item.next = 0) {
             std::uint32_t stop = no_leaf;
@@ -129,8 +129,8 @@ void Search::find(Chunk& chunk, const BodyStore& store, const BroadPhase& broad,
             if (item.against == Group::unbounded)
                 stop = unbounded_candidates(packet, item, store, broad, plan, to, chunk.counts);
             else if (item.source == Group::movers || plan.rest_pairs)
-                stop = join(packet, *tree_of(broad, item.against), self ? item.leaf : no_leaf, item.next,
-                            plan.rules, to, chunk.counts);
+                stop = join(packet, *tree_of(broad, plan, item.against), self ? item.leaf : no_leaf,
+                            item.next, plan.rules, to, chunk.counts);
             if (stop == no_leaf) continue;
             item.next = stop;
             return drop_what_need_not_be_asked(chunk, store, plan);

@@ -4,9 +4,9 @@
 #include "broad_phase.h"
 #include "join.h"
 #include "parallel.h"
+#include "timed.h"
 
 #include <array>
-#include <chrono>
 #include <vector>
 
 namespace brink {
@@ -34,6 +34,7 @@ struct Chunk {
     std::vector<Impact> impacts;    // what was decided of them
     std::uint64_t asked = 0;        // how many were asked exactly
     std::size_t left = 0;           // how many were left open
+    std::uint64_t late = 0;         // how many did not matter any more
 };
 
 /// A chunk's first candidates in the order of their times.
@@ -49,10 +50,11 @@ struct Plan {
     Layers without{};
     const Scene::PairFilter* filter = nullptr;
     bool with_unbounded = true;
-    bool with_balls = true;        // packets are given them: the rules ask for them, or the unbounded do
-    bool only_movers = false;      // against them and against what is unbounded
-    bool bounded_only = false;     // a plane or half-space is cast
-    const Packet* alone = nullptr; // a shape that is cast, or a ray, in place of the scene's own bodies
+    bool with_balls = true;            // packets are given them: the rules ask for them, or the unbounded do
+    bool only_movers = false;          // against them and against what is unbounded
+    const BlockTree* movers = nullptr; // in place of the broad phase's: some have been taken out
+    bool bounded_only = false;         // a plane or half-space is cast
+    const Packet* alone = nullptr;     // a shape that is cast, or a ray, in place of the scene's own bodies
     std::uint32_t category = 1, mask = 0xffffffff; // its own
 };
 
@@ -76,19 +78,19 @@ public:
         plan.with_balls = plan.rules.balls || (plan.with_unbounded && !broad.unbounded.empty());
         begin(store, broad, plan);
         while (next_round(plan)) {
-            const auto began = std::chrono::steady_clock::now();
-            for_each_part(
-                used_, [&](std::size_t i) { find(chunks_[i], store, broad, plan); }, 1);
-            end_finding();
-            prepare(candidates);
-            const auto found = std::chrono::steady_clock::now();
+            {
+                const Timed searching(search_seconds);
+                for_each_part(
+                    used_, [&](std::size_t i) { find(chunks_[i], store, broad, plan); }, 1);
+                end_finding();
+                prepare(candidates);
+            }
+            const Timed deciding(decide_seconds);
             for_each_part(
                 used_, [&](std::size_t i) { decide(chunks_[i]); }, 1);
             bool more = true;
             for (std::size_t i = 0; i < used_ && more; ++i)
                 more = take(chunks_[i]);
-            search_seconds += std::chrono::duration<double>(found - began).count();
-            decide_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - found).count();
             complete = more && left() == 0;
             if (!more) return;
         }

@@ -15,7 +15,7 @@ enum class Layer : unsigned char {
     receding,  // the balls around them are apart and do not near each other
     spheres,   // the balls around them pass each other
     late,      // the balls around them meet later than what is already known or asked for
-    mask,      // category and mask
+    mask,      // category and mask; where whole blocks of bodies exclude each other, told as bounds
     filter,    // the user's
     simd,      // settles no pair: sixteen bodies at once, with the widest instructions there are
 };
@@ -41,7 +41,7 @@ struct Ledger {
     std::array<std::uint64_t, layer_count> removed{}; // by Layer
     std::uint64_t exact = 0;                          // asked exactly
     std::uint64_t left = 0;                           // not looked at: stopped, or beyond max_tests
-    std::uint64_t again = 0;                          // asked once more because a partner halted (safe_times)
+    std::uint64_t again = 0; // once more (safe_times): a partner halted, or many others come first
     double update_seconds = 0, search_seconds = 0, exact_seconds = 0, order_seconds = 0;
 
     std::uint64_t by(Layer l) const { return removed[static_cast<unsigned>(l)]; }

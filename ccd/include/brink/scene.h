@@ -34,8 +34,13 @@ struct SceneOptions {
     /// says that it is not whole: by `complete`, by Status::undecided, by what a visit returns; a body that
     /// might have to halt halts where the spheres meet. The first of several at the same time need not be
     /// that of the lowest ids then.
+    ///
+    /// Pairs that masks or the filter exclude do not count, and no visitor hears of them. Bodies near each
+    /// other of which none meets any other, by their masks, are passed over together; other pairs whose swept
+    /// bounds meet are looked at one by one (some nanoseconds, no memory), and where these are many neither a
+    /// budget nor a visitor shortens that.
     std::size_t max_tests = static_cast<std::size_t>(-1);
-    /// Of a shape that is cast and of a ray; a body's own say all else.
+    /// Of a shape that is cast and of a ray; a body's own say all else. The category must have a bit set.
     std::uint32_t category = 1, mask = 0xffffffff;
     Layers without{}; // switched off, to see what they save: no answer changes
 };
@@ -112,9 +117,9 @@ struct SceneData;
 class Scene {
 public:
     /// Told of one result after the other; returns the time until which it wants to hear of more: what begins
-    /// later is left out. t_max changes nothing, a negative number ends the query. No result is kept: a visit
-    /// takes bounded memory. It returns a time before which nothing begins that was left undecided because
-    /// max_tests ran out; infinity where that did not happen.
+    /// later is left out. t_max changes nothing, a negative number or NaN ends the query. No result is kept:
+    /// a visit takes bounded memory. It returns a time before which nothing begins that was left undecided
+    /// because max_tests ran out; infinity where that did not happen.
     template <class Result> using VisitorOf = std::function<double(const Result&)>;
     using Visitor = VisitorOf<Impact>;
     /// Whether two bodies, a < b, may meet at all. Called from several threads; must always answer the same.
@@ -165,7 +170,8 @@ public:
     /// the other queries it says nothing closer than the rounding of Motion::at. Valid until the next query.
     std::span<const SafeTime> safe_times(const SceneOptions& = {});
     /// The bodies that halt before t_max, as they do: by time. Those that were not told of may all move on
-    /// until the last that was; what max_tests leaves open halts too.
+    /// until the last that was; what max_tests leaves open halts too. Whatever the number of pairs, halts
+    /// take memory in proportion to the bodies, here and above.
     void visit_safe_times(const VisitorOf<SafeTime>&, const SceneOptions& = {});
 
     /// The first of the impacts that a moving shape would have as a body of the scene.
@@ -196,7 +202,8 @@ public:
 
     /// What the last query did.
     const Ledger& ledger() const;
-    /// Bytes that the broad phase holds beside the bodies themselves.
+    /// Bytes that the broad phase holds beside the bodies themselves; with the table of ids, four for each
+    /// ever given, that there is once a body was added after another was removed.
     std::size_t broad_phase_bytes() const;
 
 private:
