@@ -301,8 +301,20 @@ TEST_CASE("regression: a gap that rounding puts a hair beyond the tolerance")
                 Detail::contact, 256}});
 }
 
-TEST_CASE("regression: a point over a box so thin that GJK's weights put it beside its shadow")
+TEST_CASE("regression: faces so thin that GJK's weights put a point beside where it is nearest")
 {
+    check(Query{Capsule{Vec3(0x1.8924e3b57b1cep-1, -0x1.4f6e7846a2904p-2, -0x1.75868d2ff984cp-1),
+                        Vec3(0x1.e00724f5a30ap-4, -0x1.ee0f11ea3a016p-1, 0x1.25be946d34862p-1), 0},
+                Motion{Pose{Vec3(0x1.c51cfd1dea333p-2, 0x1.ed29827d7cd46p-2, -0x1.38a300583c13bp-1),
+                            Quat(0x1.6a09e667f3bcdp-1, 0, -0x1.6a09e667f3bcdp-1, 0)},
+                       Vec3(-0x1.fa51f021eedb3p+0, 0x1.5842bf3013792p+0, 0x1.5259b68147ae4p-3),
+                       Vec3(-0x1.31069ce5fa965p+0, 0x1.5e50c688a79a9p+1, -0x1.1a0095c1f489bp-2),
+                       Vec3(0x1.38a2d5c550b85p-1, -0x1.ed2982bdb71ccp-2, -0x1.a88a895554b94p-2)},
+                Box{Vec3(0, 0x1.b6d3c31658e9bp-1, 0x1.535dc6cb826c3p-20)},
+                Motion{Pose{Vec3(0, 0, 0), Quat(0x1.6a09e667f3bcdp-1, 0, 0, -0x1.6a09e667f3bcdp-1)},
+                       Vec3(-0x1.fa3647ca41154p+0, 0x1.584db94d3c854p+0, 0x1.506e34047285p-3), Vec3(0, 0, 0),
+                       Vec3(-0x1.0547d7d83acb1p-2, -0x1.234088a915f4dp-1, -0x1.7233a2c8b1e62p-3)},
+                Options{1, 0, 0, StartContact::ignore, Detail::contact, 256}});
     check(Query{
         Box{Vec3(0x1.eb8e7587f1bf7p-1, 0x1.0081ad675cd04p+0, 0x1.7c7636c87cd5ep-20)},
         Motion{Pose{Vec3(0x1.1d2708294d05fp+0, 0x1.33722067dd22p-3, 0x1.1aa56b082d41p-3), Quat(1, 0, 0, 0)},

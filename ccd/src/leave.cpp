@@ -133,11 +133,13 @@ private:
 /// Goes on by `step`, unless that passes `t_end` or the budget is spent.
 template <class Part> std::optional<Toi> Leaving<Part>::move(double step, double t_end)
 {
+    const double before = course_.now();
     if (course_.iterations >= tolerance::long_way && blind_ && !apart_) step = coast(step, t_end);
     const double next = course_.now() + step;
     const bool spent = course_.iterations >= course_.options.max_iterations;
     const bool ends_here = spent && apart_; // whatever t_end: within the tolerance, and apart until here
     if (next >= course_.window.end || (next > t_end && !ends_here)) return course_.apart();
+    if (spent && course_.now() != before) now_ = course_.separated();
     if (spent) return course_.answer(apart_ ? Status::hit : Status::undecided, now_);
     course_.go(next);
     ++course_.iterations;
