@@ -24,17 +24,18 @@ find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v fo
         declares[file, name] = 1
         names[file, ++count[file]] = name
     }
+    function own(name) { owns[file, name] = 1; declare(name) }
     function declaration(text) { # what begins in the first column
         sub(/^(template <.*> |\[\[[^]]*\]\] )/, "", text)
-        if (text ~ /operator/) declare("operator")
+        if (text ~ /operator/) own("operator")
         else if (sub(/^(struct|class|union|enum class|enum) /, "", text)) {
-            declare(first_word(text))
+            own(first_word(text))
             if (text !~ /;$/) types[file] = types[file] " " first_word(text)
         }
         else if (match(text, /[^A-Za-z_0-9:<>&*, ]/)) {
-            declare(last_word(substr(text, 1, RSTART - 1)))
+            own(last_word(substr(text, 1, RSTART - 1)))
             while (match(text, /, [A-Za-z_0-9]+ ?[={]/)) { # const double a = 1, b = 2
-                declare(first_word(substr(text, RSTART)))
+                own(first_word(substr(text, RSTART)))
                 text = substr(text, RSTART + RLENGTH)
             }
         }
@@ -89,7 +90,7 @@ find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v fo
         many = split(headers[b], parts, " ")
         for (i = 1; i <= count[a]; ++i) {
             name = names[a, i]
-            if (!((a, name) in uses) && ((b, name) in says || (b, name) in uses)) return 1
+            if (((a, name) in owns || !((a, name) in uses)) && ((b, name) in says || (b, name) in uses)) return 1
             for (k = 1; k <= many; ++k)
                 if (!((a, parts[k]) in reached) && (parts[k], name) in declares) return 1
         }
