@@ -166,7 +166,8 @@ public:
 
     /// For every body, by id: a time such that, when each follows its motion until then and stands still at
     /// Motion::at of it from then on, no two bodies overlap until t_max. A body halts where it first meets
-    /// another, moving or halted. Bodies in contact at the start follow options.pair.start_contact. Unlike
+    /// another, moving or halted; of contacts at the same time all count, even where a halt at that very time
+    /// would have left one open. Bodies in contact at the start follow options.pair.start_contact. Unlike
     /// the other queries it says nothing closer than the rounding of Motion::at. Valid until the next query.
     std::span<const SafeTime> safe_times(const SceneOptions& = {});
     /// The bodies that halt before t_max, as they do: by time. Those that were not told of may all move on
