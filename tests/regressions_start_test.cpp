@@ -270,38 +270,3 @@ TEST_CASE("regression: a budget spent near contact is a hit, however far the que
                      Vec3(0x1.59d024c594856p-2, 0x1.1a76c7445080bp-1, -0x1.2cf5a9aa0f674p-3)},
               Options{1, 0, 0x1.0c6f7a0b5ed8dp-20, StartContact::ignore, Detail::contact, 256}});
 }
-
-TEST_CASE("regression: a budget spent on the way out of contact is told where that ended")
-{
-    // The contact was that of a pose before.
-    check(Query{Box{Vec3(0x1.3e780e96f48bcp-4, 0x1.35758c4fd7cffp-2, 0x1.14ae41e784e2cp+0)},
-                Motion{Pose{Vec3(-0x1.99833a32e3377p-1, -0x1.f8e8a9ff525ep-4, 0x1.3c991ceb25aa6p-2),
-                            Quat(1, 0, 0, 0)},
-                       Vec3(-0x1.0d78be08a5b4p-4, 0x1.3e2c0a350297p-1, -0x1.6910ea71b841bp+1),
-                       Vec3(0, 0, 0x1.06ece6f3a013cp+2),
-                       Vec3(0x1.3e3481ab39138p-3, -0x1.ca71fb092c65cp-3, 0x1.4109f4b24bceap-2)},
-                Box{Vec3(0x1.7f520901324dfp-1, 0, 0x1.2b5c6a41c041ep+0)},
-                Motion{Pose{Vec3(-0x1.4d9fd2bc48d9ap-1, 0x1.73f2cab706a68p-3, -0x1.695d44cd692p-6),
-                            Quat(-0x1.3b64d4f40682bp-4, -0x1.3ef28aa764004p-1, -0x1.8cdf3c0f5f439p-1,
-                                 -0x1.26781398df36bp-4)},
-                       Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
-                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
-    check(Query{Triangle{Vec3(-0x1.4706ae3da6c74p-2, -0x1.2500e1eaf195cp-1, 0x1.4bca7121e88bcp-2),
-                         Vec3(0x1.76fde93d0bfe6p-1, 0x1.5dbe1935a6644p-1, -0x1.746dc31a62f5ap-2),
-                         Vec3(-0x1.11546cf5146d2p+0, -0x1.072e56a772fe1p+0, -0x1.cf12be9b9021bp-1)},
-                Motion{Pose{Vec3(-0x1.14616c1b66aeep-1, -0x1.884dac348cbeap-2, 0x1.0bbb11142bb45p-2),
-                            Quat(0x1.261fd6cf2bb91p-1, -0x1.86ed63961f157p-1, -0x1.ae5363a7994bap-3,
-                                 -0x1.a8048374b2d2cp-3)},
-                       Vec3(0x1.16ffd7cfc35cfp+2, -0x1.25b75ffc61b84p+1, 0x1.235bc5a0fd4a6p-2),
-                       Vec3(0, 0, 0x1.79f8b6018a51ep-6),
-                       Vec3(-0x1.2f6bbe37b773p-4, -0x1.e6a8a01c7499cp-2, -0x1.58bb0fc476893p-2)},
-                Triangle{Vec3(0x1.47188ab516941p+0, 0x1.a7543ee5a9ddap-1, 0x1.3a35141e0430ap-1),
-                         Vec3(-0x1.92761279d86abp-1, -0x1.a1aba238df26cp-1, 0x1.1e7a638c61aa8p-3),
-                         Vec3(-0x1.32720f9fc053cp+0, -0x1.2493af9170379p+0, 0x1.74eec5152c03fp-5)},
-                Motion{Pose{Vec3(0x1.5005206f6a788p-1, -0x1.f89a780bfff6p-1, 0x1.d320f29a726acp-2),
-                            Quat(0x1.41706c91c51c5p-5, -0x1.d04e85163a7b6p-1, -0x1.47ad745cc35c6p-3,
-                                 0x1.8d3c1e540094fp-2)},
-                       Vec3(0x1.e069d65ed5c14p+0, -0x1.df3d94b0276d8p-2, -0x1.52ce21bfcfd74p-1),
-                       Vec3(0x1.e5283dc593de7p-2, 0x1.3a0e4e2f9f9abp-1, 0x1.fccfac1a93392p-2), Vec3(0, 0, 0)},
-                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
-}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "regressions.h"
+
+#include <doctest/doctest.h>
+
+using namespace brink;
+using namespace brink::support;
+using brink::tests::check;
+
+TEST_CASE("regression: a gap that rounding puts a hair beyond the tolerance")
+{
+    // Each stopped where the gap told was the tolerance less a few ulp, and was some 1e-15 more.
+    check(Query{Capsule{Vec3(0x1.683e11f161bf4p-1, 0x1.93a05afe723ep-1, -0x1.dc3f5244fff08p-1),
+                        Vec3(-0x1.6f7bc51b0316cp-2, 0x1.797bdbbd05c7cp-1, -0x1.bfcc2ffe90eeap-1),
+                        0x1.266576f3932a2p+2},
+                Motion{Pose{Vec3(0x1.ca05704d36b13p+0, 0x1.d73028f3cfbfap+0, 0x1.6c95358f2783p+1),
+                            Quat(0x1.dcc072e761198p-2, 0x1.750ad998005f7p-1, -0x1.53bf28118593ap-7,
+                                 -0x1.0129655ec5356p-1)},
+                       Vec3(0x1.e8bf45e63d328p-1, -0x1.f11f58dbd6546p+0, -0x1.0708d05a27b74p-1),
+                       Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Plane{Vec3(0, 0, 1), 0x1.0be331829d98p-7},
+                Motion{Pose{Vec3(0, 0, 0), Quat(0x1.983e4d38b0fc5p-2, 0x1.d2988670da802p-2,
+                                                -0x1.9641a1012ae08p-1, 0x1.fb878618eac1cp-5)},
+                       Vec3(0x1.bc4485d91ee9p+0, 0x1.7074ba97d855cp+0, 0x1.d722888bf8c9p-1),
+                       Vec3(0x1.f9fb3fda66a28p+0, 0x1.47aa1a93a9b4dp+3, -0x1.bd0398b3a82f6p+2),
+                       Vec3(0x1.722bb867a56ecp-1, 0x1.55275c1b3f2aap+1, 0x1.35b8a68488dp-5)},
+                Options{1, 0, 0x1.19799812dea11p-40, StartContact::report, Detail::contact, 256}});
+    check(Query{
+        Hull::from_points(
+            std::vector<Vec3>{Vec3(-0x1.270a4ee609a64p-1, 0x1.477a582b7e594p-2, 0x1.e0ddd0633df1ep-1)}),
+        Motion{
+            Pose{Vec3(-0x1.27dca19039074p-1, -0x1.1145992c132b2p+1, 0x1.6f72448f5b5d2p+1), Quat(1, 0, 0, 0)},
+            Vec3(-0x1.ed16ff57d6f88p+0, 0x1.c3ae6d402961dp+1, -0x1.54f81de581e53p+3), Vec3(0, 0, 0),
+            Vec3(0, 0, 0)},
+        Hull::from_points(std::vector<Vec3>{Vec3(0x1p-2, -1, -0x1.8p-1), Vec3(0x1p-1, -1, 0x1p-2),
+                                            Vec3(-0x1.8p-1, 0x1p-2, -0x1p-2), Vec3(0x1p-1, -0x1p-1, -1)}),
+        Motion{Pose{Vec3(-0x1.65acf9a584ec4p-2, -0x1.2796eda358e66p-1, -0x1.b9c4638840f8p-2),
+                    Quat(-0x1.05d67e845f79ap-2, -0x1.050cd06d36e45p-7, -0x1.22d518db5ebf9p-2,
+                         -0x1.d91e801649b37p-1)},
+               Vec3(-0x1.b68b2ab8bda1p+0, 0x1.3a5aefb5a7147p-1, 0x1.c600ca430c6f4p+1), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Options{0x1.9e3fa79525361p-1, 0x1.1f418f2a5ef6ep-1, 0x1.19799812dea11p-40, StartContact::report,
+                Detail::contact, 256}});
+}
+
+TEST_CASE("regression: faces so thin that GJK's weights put a point beside where it is nearest")
+{
+    check(Query{Capsule{Vec3(0x1.8924e3b57b1cep-1, -0x1.4f6e7846a2904p-2, -0x1.75868d2ff984cp-1),
+                        Vec3(0x1.e00724f5a30ap-4, -0x1.ee0f11ea3a016p-1, 0x1.25be946d34862p-1), 0},
+                Motion{Pose{Vec3(0x1.c51cfd1dea333p-2, 0x1.ed29827d7cd46p-2, -0x1.38a300583c13bp-1),
+                            Quat(0x1.6a09e667f3bcdp-1, 0, -0x1.6a09e667f3bcdp-1, 0)},
+                       Vec3(-0x1.fa51f021eedb3p+0, 0x1.5842bf3013792p+0, 0x1.5259b68147ae4p-3),
+                       Vec3(-0x1.31069ce5fa965p+0, 0x1.5e50c688a79a9p+1, -0x1.1a0095c1f489bp-2),
+                       Vec3(0x1.38a2d5c550b85p-1, -0x1.ed2982bdb71ccp-2, -0x1.a88a895554b94p-2)},
+                Box{Vec3(0, 0x1.b6d3c31658e9bp-1, 0x1.535dc6cb826c3p-20)},
+                Motion{Pose{Vec3(0, 0, 0), Quat(0x1.6a09e667f3bcdp-1, 0, 0, -0x1.6a09e667f3bcdp-1)},
+                       Vec3(-0x1.fa3647ca41154p+0, 0x1.584db94d3c854p+0, 0x1.506e34047285p-3), Vec3(0, 0, 0),
+                       Vec3(-0x1.0547d7d83acb1p-2, -0x1.234088a915f4dp-1, -0x1.7233a2c8b1e62p-3)},
+                Options{1, 0, 0, StartContact::ignore, Detail::contact, 256}});
+    check(Query{
+        Box{Vec3(0x1.eb8e7587f1bf7p-1, 0x1.0081ad675cd04p+0, 0x1.7c7636c87cd5ep-20)},
+        Motion{Pose{Vec3(0x1.1d2708294d05fp+0, 0x1.33722067dd22p-3, 0x1.1aa56b082d41p-3), Quat(1, 0, 0, 0)},
+               Vec3(-0x1.a6253a486e8b2p+0, -0x1.28535092a8624p-2, 0x1.291f6307f83f2p+0),
+               Vec3(0x1.3fe64613d0a04p-4, 0x1.c7412ccaac58bp-2, 0x1.04c2729f593f5p+1),
+               Vec3(-0x1.94f3fdc327d37p-2, -0x1.0081ad675cd04p+0, 0x1.7c7636c87cdp-20)},
+        Hull::from_points(
+            std::vector<Vec3>{Vec3(0x1.a865ecf837636p-1, 0x1.a865ecf837636p-1, 0x1.a865ecf837636p-1)}),
+        Motion{Pose{Vec3(0x1.f418ff56234c4p-1, 0x1.1ee9b6c0ccf2ap-1, 0x1.2db84c3c209p-3),
+                    Quat(-0x1.99f8c0c724e52p-2, -0x1.8007e5abc0876p-1, 0x1.6ded7b591effdp-3,
+                         0x1.fb0e0e63bfa28p-2)},
+               Vec3(-0x1.a6253a486e8b2p+0, -0x1.28535092a8624p-2, 0x1.291f6307f83f2p+0), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+}
+
+TEST_CASE("regression: a budget spent on the way out of contact is told where that ended")
+{
+    // The contact was that of a pose before.
+    check(Query{Box{Vec3(0x1.3e780e96f48bcp-4, 0x1.35758c4fd7cffp-2, 0x1.14ae41e784e2cp+0)},
+                Motion{Pose{Vec3(-0x1.99833a32e3377p-1, -0x1.f8e8a9ff525ep-4, 0x1.3c991ceb25aa6p-2),
+                            Quat(1, 0, 0, 0)},
+                       Vec3(-0x1.0d78be08a5b4p-4, 0x1.3e2c0a350297p-1, -0x1.6910ea71b841bp+1),
+                       Vec3(0, 0, 0x1.06ece6f3a013cp+2),
+                       Vec3(0x1.3e3481ab39138p-3, -0x1.ca71fb092c65cp-3, 0x1.4109f4b24bceap-2)},
+                Box{Vec3(0x1.7f520901324dfp-1, 0, 0x1.2b5c6a41c041ep+0)},
+                Motion{Pose{Vec3(-0x1.4d9fd2bc48d9ap-1, 0x1.73f2cab706a68p-3, -0x1.695d44cd692p-6),
+                            Quat(-0x1.3b64d4f40682bp-4, -0x1.3ef28aa764004p-1, -0x1.8cdf3c0f5f439p-1,
+                                 -0x1.26781398df36bp-4)},
+                       Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
+    check(Query{Triangle{Vec3(-0x1.4706ae3da6c74p-2, -0x1.2500e1eaf195cp-1, 0x1.4bca7121e88bcp-2),
+                         Vec3(0x1.76fde93d0bfe6p-1, 0x1.5dbe1935a6644p-1, -0x1.746dc31a62f5ap-2),
+                         Vec3(-0x1.11546cf5146d2p+0, -0x1.072e56a772fe1p+0, -0x1.cf12be9b9021bp-1)},
+                Motion{Pose{Vec3(-0x1.14616c1b66aeep-1, -0x1.884dac348cbeap-2, 0x1.0bbb11142bb45p-2),
+                            Quat(0x1.261fd6cf2bb91p-1, -0x1.86ed63961f157p-1, -0x1.ae5363a7994bap-3,
+                                 -0x1.a8048374b2d2cp-3)},
+                       Vec3(0x1.16ffd7cfc35cfp+2, -0x1.25b75ffc61b84p+1, 0x1.235bc5a0fd4a6p-2),
+                       Vec3(0, 0, 0x1.79f8b6018a51ep-6),
+                       Vec3(-0x1.2f6bbe37b773p-4, -0x1.e6a8a01c7499cp-2, -0x1.58bb0fc476893p-2)},
+                Triangle{Vec3(0x1.47188ab516941p+0, 0x1.a7543ee5a9ddap-1, 0x1.3a35141e0430ap-1),
+                         Vec3(-0x1.92761279d86abp-1, -0x1.a1aba238df26cp-1, 0x1.1e7a638c61aa8p-3),
+                         Vec3(-0x1.32720f9fc053cp+0, -0x1.2493af9170379p+0, 0x1.74eec5152c03fp-5)},
+                Motion{Pose{Vec3(0x1.5005206f6a788p-1, -0x1.f89a780bfff6p-1, 0x1.d320f29a726acp-2),
+                            Quat(0x1.41706c91c51c5p-5, -0x1.d04e85163a7b6p-1, -0x1.47ad745cc35c6p-3,
+                                 0x1.8d3c1e540094fp-2)},
+                       Vec3(0x1.e069d65ed5c14p+0, -0x1.df3d94b0276d8p-2, -0x1.52ce21bfcfd74p-1),
+                       Vec3(0x1.e5283dc593de7p-2, 0x1.3a0e4e2f9f9abp-1, 0x1.fccfac1a93392p-2), Vec3(0, 0, 0)},
+                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
+}
