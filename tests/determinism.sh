@@ -15,7 +15,7 @@ own_flags() { # <compiler and flags>: brink's own, as CMakeLists.txt has them
     sed -nE "s/^ *([\$]<[\$]<BOOL:[\$][{]${only_if}[}]>:)?(-f[a-z=-]+).*/\2/p" CMakeLists.txt | tr '\n' ' '
 }
 [[ $(own_flags g++) = *-ffp-contract=off* ]] || { echo "determinism.sh: no flags in CMakeLists.txt" && exit 1; }
-generators="query draw path gap_over_time reference_gap reference_features solid bracket bracket_polytopes bracket_simplices"
+generators="query draw path quick_body quick_gap quick_walk gap_over_time reference_gap reference_features solid bracket bracket_polytopes bracket_simplices"
 
 # Commands are written down first, then done side by side.
 compile() { # <object folder> <compiler and flags> <source>
