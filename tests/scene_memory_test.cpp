@@ -163,7 +163,8 @@ TEST_CASE("scene: safe times of a million bodies at one point take bounded memor
         CHECK(times.back().t == 1);
         CHECK(scene.ledger().exact + scene.ledger().again <= 10);
     });
-    CHECK(bytes - before < 1000 * n);
+    // Asked for in all; the first contacts of the fewest bodies here would be 600,000 bytes for each.
+    CHECK(bytes - before < 2000 * n);
 }
 
 TEST_CASE("scene: where memory runs out, nothing is lost")
