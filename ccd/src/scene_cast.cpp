@@ -35,12 +35,7 @@ template <class Met> void cast_unbounded(SceneData& data, const Plan& plan, Met&
     const Timed deciding(data.search.decide_seconds);
     for (std::uint32_t slot = 0; slot < data.store.bodies.size(); ++slot) {
         const Body& b = data.store.bodies[slot];
-        if (data.store.ids[slot] == no_body || unbounded(b.shape)) continue;
-        ++data.search.counts.met;
-        if (plan.without.has(Layer::mask) || meets({no_slot, slot, 0}, data.store, plan))
-            met.look(slot, 0);
-        else
-            ++data.search.masked;
+        if (data.store.ids[slot] != no_body && !unbounded(b.shape)) look_unsearched(data, plan, slot, met);
     }
 }
 

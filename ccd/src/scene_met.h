@@ -49,6 +49,16 @@ private:
     Asked asked_;
 };
 
+/// Asks about a body that no tree could search for.
+template <class Met> void look_unsearched(SceneData& data, const Plan& plan, std::uint32_t slot, Met& met)
+{
+    ++data.search.counts.met;
+    if (plan.without.has(Layer::mask) || meets({no_slot, slot, 0}, data.store, plan))
+        met.look(slot, 0);
+    else
+        ++data.search.masked;
+}
+
 /// Keeps the earliest result and wants to hear of none that is later.
 template <class Result, class Begins> auto keep_first(std::vector<Result>& found, Begins begins)
 {

@@ -50,13 +50,8 @@ double leaving(const Ray& ray, const BroadPhase& broad)
 template <class Met> void ask_unbounded(SceneData& data, const Plan& plan, Met& met)
 {
     const Timed deciding(data.search.decide_seconds);
-    for (const std::uint32_t slot : data.broad.unbounded) {
-        ++data.search.counts.met;
-        if (plan.without.has(Layer::mask) || meets({no_slot, slot, 0}, data.store, plan))
-            met.look(slot, 0);
-        else
-            ++data.search.masked;
-    }
+    for (const std::uint32_t slot : data.broad.unbounded)
+        look_unsearched(data, plan, slot, met);
 }
 
 /// Tells of what a ray meets; returns a t before which it meets nothing that was not asked about.

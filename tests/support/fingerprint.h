@@ -26,7 +26,7 @@ Query mixed_query(std::uint64_t index);
 /// Asks mixed_query(from) to mixed_query(to - 1) in order, going on from an earlier fingerprint.
 Fingerprint fingerprint(std::uint64_t from, std::uint64_t to, Fingerprint so_far = {});
 
-/// How far to ask: the program and the test stop at each.
-inline constexpr std::array<std::uint64_t, 2> checkpoints{20'000, 1'000'000};
+/// How far to ask: the program stops at each, the test at the first two.
+inline constexpr std::array<std::uint64_t, 3> checkpoints{20'000, 250'000, 1'000'000};
 
 } // namespace brink::support
