@@ -107,3 +107,22 @@ TEST_CASE("regression: a budget spent on the way out of contact is told where th
                        Vec3(0x1.e5283dc593de7p-2, 0x1.3a0e4e2f9f9abp-1, 0x1.fccfac1a93392p-2), Vec3(0, 0, 0)},
                 Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: a cone with an edge or an end on its axis, as deep in as many directions as face it")
+{
+    // The normal was 1e-5 or 1e-4 beside the side of the cone, and the gap as much too high.
+    check(Query{
+        Box{Vec3(0x1p-2, 0x1.4p+0, 0x1.4p+0)},
+        Motion{Pose{Vec3(0x1p-1, 0x1.cp+0, 2), Quat(1, 0, 0, 0)}, Vec3(0x1p-1, 0x1.4p+0, 0x1.2p+1),
+               Vec3(0, 0, 0), Vec3(0, 0, 0)},
+        Cone{0x1.4p+0, 0x1p-2},
+        Motion{Pose{Vec3(0x1p-2, 0x1p-1, 1), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
+        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+    check(Query{Capsule{Vec3(-1, 1, 0x1.4p+0), Vec3(-1, 0x1.2p+1, 0x1.4p+0), 0},
+                Motion{Pose{Vec3(0x1.4p+1, -0x1p-2, -0x1p-2), Quat(1, 0, 0, 0)},
+                       Vec3(-0x1.cp+1, 0x1.2p+2, 0x1.cp+0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Cone{0x1p-1, 0x1p-1},
+                Motion{Pose{Vec3(0x1.8p+0, 0x1.8p-1, 1), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0),
+                       Vec3(0, 0, 0x1.0bbef169b58f1p+0), Vec3(0, 0, 0)},
+                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+}
