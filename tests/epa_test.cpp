@@ -76,6 +76,23 @@ TEST_CASE("epa: balls in the guise of ellipsoids")
     }
 }
 
+TEST_CASE("epa: a cone that a segment enters as far as its axis is as deep in many directions")
+{
+    Random random(74);
+    for (int i = 0; i < 1'000; ++i) {
+        const double h = random.between(0.2, 2), r = random.between(0.2, 2), z = random.between(0, 1) * h;
+        const Quat turned = random.rotation();
+        const V3 at = load(random.in_cube(1));
+        const Core a = placed(core(Capsule{{0, 0, z}, {3, 4, z}, 0}), rotation(turned), at);
+        const Core b = placed(core(Cone{h, r}), rotation(turned), at);
+        const double depth = (h - z) * r / std::sqrt(r * r + 4 * h * h);
+        const Penetration p = penetration(a, b, slack(a, b));
+        CAPTURE(i);
+        CHECK(std::fabs(p.lower + depth) <= 64 * eps * brute::scale(a, b));
+        CHECK(std::fabs(p.gap + depth) <= 64 * eps * brute::scale(a, b));
+    }
+}
+
 TEST_CASE("epa: no direction gives less depth, cylinders, cones, ellipsoids and hulls")
 {
     SolidCores cores(73);

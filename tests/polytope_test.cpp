@@ -80,6 +80,21 @@ TEST_CASE("cores of every kind: bounds of the gap that agree, and points that sh
     CHECK(overlapping > 3'000);
 }
 
+TEST_CASE("cores that overlap: moved by the gap told along the normal told they are clear")
+{
+    SolidCores cores(83);
+    int overlapping = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const auto [a, b] = cores.pair(i % 3, i / 3 % 8);
+        const Separation s = polytope_separation(a, b);
+        if (!(s.gap < -1e-9)) continue;
+        CAPTURE(i);
+        CHECK(gap_along(a, placed(b, {}, -s.gap * s.normal), s.normal) >= -16 * eps * scale(a, b));
+        ++overlapping;
+    }
+    CHECK(overlapping > 5'000);
+}
+
 TEST_CASE("a ball as ellipsoid, a box as hull: the same as themselves")
 {
     Random random(82);

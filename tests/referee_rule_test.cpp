@@ -138,6 +138,36 @@ TEST_CASE("turning referee: finds a body that sticks")
     CHECK(rule(q, stuck).findings.empty());
 }
 
+TEST_CASE("turning referee: contact at the start within 16 eps S of the target is either's, and no other")
+{
+    int asked = 0;
+    for (const char* name : {"sphere-ellipsoid", "cylinder-ellipsoid", "box-cone", "cone-hull"})
+        for (std::uint64_t i = 0; i < 60; ++i) {
+            Query q = campaign_query(*pair_named(name), 6, i);
+            q.options = {.detail = Detail::time_only};
+            if (!judgeable(q)) continue;
+            const Bracket<Hundred> start = MovingPair<Hundred>(q).at(0);
+            if (!start.depth_known || !(start.lower > 0)) continue;
+            q.options.target_gap = static_cast<double>(start.upper);
+            const auto rounding = 16 * 0x1p-52 * static_cast<double>(MovingPair<Hundred>(q).scale());
+            const auto told = [&](Status status, double beyond) { // the target, in roundings
+                Query shifted = q;
+                shifted.options.target_gap += beyond * rounding;
+                Toi toi;
+                toi.status = status;
+                return says(rule(shifted, toi), "touching");
+            };
+            if (!(q.options.target_gap > 4 * rounding)) continue;
+            CAPTURE(as_cpp(q));
+            CHECK(!told(Status::touching, -0.9));
+            CHECK(told(Status::touching, -1.1));
+            CHECK(!told(Status::hit, 0.9));
+            CHECK(told(Status::hit, 1.1));
+            ++asked;
+        }
+    CHECK(asked > 100);
+}
+
 TEST_CASE("turning referee: every bracket is narrow and holds what long double finds")
 {
     int looked = 0;

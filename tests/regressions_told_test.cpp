@@ -107,3 +107,54 @@ TEST_CASE("regression: a budget spent on the way out of contact is told where th
                        Vec3(0x1.e5283dc593de7p-2, 0x1.3a0e4e2f9f9abp-1, 0x1.fccfac1a93392p-2), Vec3(0, 0, 0)},
                 Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: a cone with an edge or an end on its axis, as deep in as many directions as face it")
+{
+    // The normal was 1e-5 or 1e-4 beside the side of the cone, and the gap as much too high.
+    check(Query{
+        Box{Vec3(0x1p-2, 0x1.4p+0, 0x1.4p+0)},
+        Motion{Pose{Vec3(0x1p-1, 0x1.cp+0, 2), Quat(1, 0, 0, 0)}, Vec3(0x1p-1, 0x1.4p+0, 0x1.2p+1),
+               Vec3(0, 0, 0), Vec3(0, 0, 0)},
+        Cone{0x1.4p+0, 0x1p-2},
+        Motion{Pose{Vec3(0x1p-2, 0x1p-1, 1), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
+        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+    check(Query{Capsule{Vec3(-1, 1, 0x1.4p+0), Vec3(-1, 0x1.2p+1, 0x1.4p+0), 0},
+                Motion{Pose{Vec3(0x1.4p+1, -0x1p-2, -0x1p-2), Quat(1, 0, 0, 0)},
+                       Vec3(-0x1.cp+1, 0x1.2p+2, 0x1.cp+0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Cone{0x1p-1, 0x1p-1},
+                Motion{Pose{Vec3(0x1.8p+0, 0x1.8p-1, 1), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0),
+                       Vec3(0, 0, 0x1.0bbef169b58f1p+0), Vec3(0, 0, 0)},
+                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+}
+
+TEST_CASE("regression: a gap at the start that rounding hides, of which the referee took a bound for the gap")
+{
+    // Contact at the start is told at 87 and 88 hundredths of 16 eps S.
+    check(Query{Sphere{0x1.d6ff2473182dp-3},
+                Motion{Pose{Vec3(-0x1.7ea655689fd66p-1, 0x1.1a190bdafaf66p-2, 0x1.a7a22fe347704p-2),
+                            Quat(0x1.1aa75d757bb1ep-2, -0x1.b952a3efaf32dp-1, -0x1.7b3d14f82f6d1p-2,
+                                 -0x1.ac01f1b655287p-3)},
+                       Vec3(0x1.11ac7fddb55d2p-1, -0x1.33ce62502d3c6p-1, 0x1.104294dd8b55cp+2), Vec3(0, 0, 0),
+                       Vec3(0, 0, 0)},
+                Ellipsoid{Vec3(0, 0x1.4729d813cb9b3p-2, 0x1.df7948c52a02bp-1)},
+                Motion{Pose{Vec3(-0x1.c2e8ed1591714p-1, 0x1.5feedd0a7292p-5, 0x1.7ea948237eb88p-1),
+                            Quat(0x1.8d991a13826b8p-2, 0x1.aa1d5f14b7d8p-1, 0x1.57ba45ad79221p-2,
+                                 0x1.ad2d19c0d999ep-3)},
+                       Vec3(0x1.e3870dd4d3d59p+0, 0x1.093f5cb0cfe38p-1, 0x1.a9050ef0bd844p-1),
+                       Vec3(-0x1.ddc93c88386abp+1, -0x1.b48a2e80af025p+0, -0x1.76cd35af853b9p-2),
+                       Vec3(-0x1.e8a7da296ff01p+0, 0x1.0d4707d8ced78p+1, -0x1.100ba055b03p-6)},
+                Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+    check(Query{
+        Cylinder{0x1.4d9fc73ae6c62p-7, 0x1.240954072c74fp-1},
+        Motion{
+            Pose{Vec3(0x1.b71ad82faf24bp+0, -0x1.0dcd2e3c13b32p+0, 0x1.ae3c3f86f4382p+0), Quat(1, 0, 0, 0)},
+            Vec3(0x1.cc1a3c985d1b8p-3, -0x1.8ab749910a4c8p-3, 0x1.31aba56f31e01p-1),
+            Vec3(-0x1.3b7c0f12006e5p-1, -0x1.e623d43ab13dap-4, -0x1.90bf852148a3ap-2),
+            Vec3(-0x1.b7e3d7c11a5cep+0, -0x1.409e3b40d60a6p+1, -0x1.15e2f8ea782e8p-1)},
+        Ellipsoid{Vec3(0x1.d6cc929b1917ap-1, 0x1.0be2182f41e57p+0, 0x1.03bbb84a92ff4p-1)},
+        Motion{Pose{Vec3(0, 0, 0), Quat(-0x1.568d5p-5, -0x1.ee54fap-4, 0x1.e96dp-1, -0x1.0ec692p-2)},
+               Vec3(-0x1.353518d7a248cp+1, 0x1.6885469fd7276p+0, -0x1.0e3ee8ed514dcp+0),
+               Vec3(-0x1.12926f69ead7dp-1, 0x1.8851bb4e6d474p-1, 0x1.41c68da0b1bb8p-2),
+               Vec3(-0x1.1efba4f831f54p-1, 0x1.f3da49a7b40eep-2, -0x1.31725c0a10562p-3)},
+        Options{1, 0x1.4ef48cc72185ap+0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
+}

@@ -53,6 +53,24 @@ TEST_CASE("locally best axis: upright on the ridge where two cylinders cross, si
     }
 }
 
+TEST_CASE("locally best axis: on the ridge where a cone's side lies against the plane")
+{
+    // A segment from the cone's axis outwards: all axes that lean on the side away from it are as good.
+    Random random(145);
+    for (int i = 0; i < 2'000; ++i) {
+        const double h = random.between(0.2, 2), r = random.between(0.2, 2),
+                     z = random.between(-0.5, 0.5) * h;
+        const Core a = core(Capsule{{0, 0, z}, {0, 4, z}, 0}), b = core(Cone{h, r});
+        const double slant = std::sqrt(r * r + 4 * h * h), turn = random.between(0.2, 2.9);
+        const V3 side{-2 * h / slant * std::cos(turn), -2 * h / slant * std::sin(turn), -r / slant};
+        const V3 start = tilted(random, side, random.log_between(1e-9, 1e-3));
+        const LocalTop found = locally_best(a, b, {gap_along(a, b, start), start}, 32 * eps);
+        CAPTURE(i);
+        CHECK(std::fabs(found.axis.gap + (h - z) * r / slant) <= 32 * eps);
+        CHECK(found.top);
+    }
+}
+
 TEST_CASE("locally best axis: never worse than the one given, whatever the cores")
 {
     SolidCores cores(143);

@@ -58,7 +58,7 @@ struct Separation {
     /// A lower bound of the true gap up to rounding: the distance between the two supporting planes at right
     /// angles to `normal`. Where GJK is exact it equals `gap` to a few ulp of the scale.
     double lower = 0;
-    double gap = 0; // between the witness points; minus the penetration depth when the shapes overlap
+    double gap = 0; // between the witness points; minus the least depth known when the shapes overlap
     V3 normal;      // unit, from A towards B
     V3 point_a;     // on the surface of A
     V3 point_b;     // on the surface of B

@@ -111,19 +111,22 @@ Separation refined(const Core& a, const Core& b, const Closest& c, const Axis& a
     return {top.axis.gap, gap, top.axis.normal, point_a, point_a + gap * top.axis.normal};
 }
 
-Separation with_points(const Penetration& p)
+/// Of cores that overlap for certain the gap is the way out that is known to clear them: what grew within the
+/// difference may end far short of its surface.
+Separation with_points(const Penetration& p, double slack)
 {
-    return {p.lower, p.gap, p.normal, p.point_a, p.point_a + p.gap * p.normal};
+    const double gap = p.gap < -slack ? p.lower : p.gap;
+    return {p.lower, gap, p.normal, p.point_a, p.point_a + gap * p.normal};
 }
 
 /// Cores of many corners or none, of which GJK was not certain.
 Separation by_support(const Core& a, const Core& b, const Closest& c, double slack)
 {
     const Axis ahead = along(a, b, c.v);
-    if (!(ahead.gap > slack)) return with_points(penetration(a, b, slack));
+    if (!(ahead.gap > slack)) return with_points(penetration(a, b, slack), slack);
     const Separation near = refined(a, b, c, ahead, slack);
     if (doubt(near) <= tolerance::agreed * slack) return near;
-    const Separation other = with_points(separation_by_growth(a, b, slack));
+    const Separation other = with_points(separation_by_growth(a, b, slack), slack);
     return other.lower > slack && doubt(other) < doubt(near) ? other : near;
 }
 

@@ -32,6 +32,8 @@ public:
 
     /// A step to where the gap is the largest.
     V3 step() const;
+    /// A point of the difference that lies lowest along the axis.
+    V3 lowest() const { return here_.w; }
     /// What it promises to gain.
     double gain() const { return std::fabs(first_.gain) + std::fabs(second_.gain); }
     /// Where the difference comes nearest to the origin.
@@ -160,6 +162,15 @@ V3 hastened(V3 step, V3& last)
     return again ? (1 / (1 - length / before)) * step : step;
 }
 
+/// What part of the way from an axis to a better one to go back: as far as the top of a ridge between them,
+/// where the points that lie lowest along the two are as low, and half of it on a smooth surface.
+double way_back(V3 axis, V3 lowest, V3 better, V3 lowest_of_better)
+{
+    const V3 line = lowest - lowest_of_better;
+    const double here = dot(axis, line), there = dot(better, line);
+    return here < 0 && there >= 0 ? here / (here - there) : 0.5;
+}
+
 } // namespace
 
 LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double slack)
@@ -179,7 +190,9 @@ LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double sl
                 best.point_a = best.point_a + s.corners[k].weight * s.corners[k].on_a;
             most = std::max(most, gap);
         }
-        const V3 step = better ? hastened(chart.step(), last) : 0.5 * (best.axis.normal - axis);
+        const V3 top = best.axis.normal;
+        const V3 step = better ? hastened(chart.step(), last)
+                               : way_back(axis, chart.lowest(), top, best.v) * (top - axis);
         if (!(norm_squared(step) > tolerance::epsilon * tolerance::epsilon)) break;
         axis = axis + step;
         axis = (1 / norm(axis)) * axis;

@@ -16,8 +16,8 @@ struct LocalTop {
 /// An axis along which the gap between two cores, of which one is round, is locally the largest, from one
 /// that is near. Newton's method on the plane of directions about it, the second derivatives from differences
 /// of supporting points; where those jump across a ridge, because a straight line of the difference lies
-/// against the plane, the axis is made to stand upright on it and goes on along the ridge. Never worse than
-/// the axis given by more than the slack.
+/// against the plane, the axis is made to stand upright on it and goes on along the ridge. A step over a
+/// ridge goes back to where it crossed it. Never worse than the axis given by more than the slack.
 LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double slack);
 
 } // namespace brink

@@ -34,8 +34,14 @@ struct Case {
         band = closed ? rounding : std::max(rounding, Hundred(q.options.tolerance));
     }
 
-    /// Rounding decides whether the pair starts in contact.
-    bool start_near() const { return !start.deep && abs(start.gap) <= rounding; }
+    /// Rounding decides whether the pair starts in contact. Asked of either limit, as bounds that tell on
+    /// which side of the target the gap is may lie far from it.
+    bool start_near() const
+    {
+        return !start.deep && least_start_gap() <= rounding && question.over(0, -rounding).upper > -rounding;
+    }
+    /// gap(0) - target_gap from below, above `rounding` if that is.
+    Hundred least_start_gap() const { return question.over(0, rounding).lower; }
     bool answered() const { return toi.status == Status::hit || toi.status == Status::touching; }
 };
 
@@ -101,10 +107,11 @@ void judge_start(const Case& c, Ruling& out)
     if (touching && c.toi.t != 0) out.findings.push_back({"t", "touching, but t is not 0"});
     if (touching && !c.start.contact && !c.start_near())
         out.findings.push_back(
-            {"touching", fmt::format("gap(0) is {:.3g} above the target", shown(c.start.gap))});
+            {"touching", fmt::format("gap(0) is {:.3g} above the target", shown(c.least_start_gap()))});
     const StartContact option = c.q.options.start_contact;
-    const bool missed = c.toi.status == Status::separated || c.toi.t > 0 || !c.start_near();
-    if (!touching && missed && c.start.contact && option == StartContact::report)
+    const bool reported = c.start.contact && option == StartContact::report;
+    const bool late = c.toi.status == Status::separated || c.toi.t > 0;
+    if (!touching && reported && (late || !c.start_near()))
         out.findings.push_back({"touching", fmt::format("not said, but gap(0) is {:.3g} below the target",
                                                         shown(-c.start.gap))});
     if (touching && option == StartContact::ignore)
