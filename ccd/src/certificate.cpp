@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate.h"
 
-#include "falling.h"
 #include "lanes.h"
 #include "shadow.h"
 #include "support.h"
 #include "tolerance.h"
+#include "trend.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -126,6 +126,25 @@ private:
     double horizon_, curvature_ = 0, either_way_ = 0;
 };
 
+/// A bound of the second derivative of the distance of any two points, one of each body, that is never less
+/// than `apart`: seen from a frame that turns.
+double distance_bend(const Facing<Core>& f, V3 spin, double apart, double horizon)
+{
+    double speed = 0, pull = 0;
+    for (const V3 pivot : {f.b.pivot, f.b.pivot + horizon * f.velocity}) {
+        const V3 carried = cross(spin, pivot);
+        speed = std::max(speed, norm(f.velocity - carried));
+        pull = std::max(pull, norm(carried));
+    }
+    double bend = norm(spin) * pull + 2 * norm(cross(spin, f.velocity));
+    for (const Posed<Core>& body : {f.a, f.b}) {
+        const double rate = norm(body.rate - spin);
+        speed += body.reach * rate;
+        bend += body.reach * (rate * rate + norm(cross(body.rate, spin)));
+    }
+    return bend + speed * speed / apart;
+}
+
 /// Does with a bound what is to be done; of the commonest cores with one made for them.
 template <class Part, class Do>
 auto with_bound(const Facing<Part>& f, const TurningAxis& axis, double horizon, Do go)
@@ -189,6 +208,24 @@ double growing_step(const Facing<Border>& f, const TurningAxis& axis, double hor
     const double lead = std::max(0.0, level - behind.now().value), gains = behind.now().slope;
     if (lead == 0 && gains == 0 && behind.either_way() > 0) return 0;
     return std::min(step, falls(lead, -gains, behind.either_way()));
+}
+
+double growing_step(const Facing<Core>& f, const TurningAxis& axis, const Separation& now, double horizon)
+{
+    const V3 on_a = now.point_a - f.a.part.radius * now.normal;
+    const V3 on_b = now.point_b + f.b.part.radius * now.normal;
+    const double distance = norm(on_b - on_a);
+    Bound<Core> bound(f, axis, horizon);
+    const double apart = bound.now().value + f.margin;
+    if (!(distance > 0 && apart > 0 && bound.now().slope >= 0)) return 0;
+    bound.bend_towards();
+    const double rate = trend(f, {(1 / distance) * (on_b - on_a), {}}, on_a, on_b).rate;
+    const double bend = distance_bend(f, axis.spin, apart, horizon);
+    const double later = std::min(horizon, 2 * rate / (2 * bound.curvature() + bend));
+    const double gained = bound.bent(later, bound.line(later)) + f.margin - distance;
+    const double spare = gained - 0.5 * bend * later * later;
+    if (!(later > 0 && spare >= 0)) return 0;
+    return std::min(later, falls(spare, bend * later - rate, 2 * bend));
 }
 
 double closing_rate(const Facing<Core>& f, V3 axis)

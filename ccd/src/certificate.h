@@ -45,6 +45,9 @@ template <class Part> double rising_step(const Facing<Part>&, const TurningAxis&
 /// The time over which the gap to a border along its own axis is proven not to decrease at any moment.
 double growing_step(const Facing<Border>&, const TurningAxis&, double horizon);
 
+/// The same of the distance of two cores, which are as `now` says. Nothing where they overlap.
+double growing_step(const Facing<Core>&, const TurningAxis&, const Separation& now, double horizon);
+
 /// How fast the gap can close at most, as far as the two supporting planes at right angles to a fixed axis
 /// tell, at any time; may be negative.
 double closing_rate(const Facing<Core>&, V3 axis);

@@ -43,14 +43,13 @@ Edges edges_across(const Core& body, V3 axis)
     return edges;
 }
 
-/// The longest time over which some axis proves that the gap does not fall: at rest, glued to A, glued to B,
-/// and following the edges that touch.
-double rising(const Facing<Core>& f, V3 normal, double horizon)
+/// The longest time that some axis proves: at rest, glued to A, glued to B, and following the edges that
+/// touch.
+template <class Proves> double longest(const Facing<Core>& f, V3 normal, double horizon, const Proves& proves)
 {
-    double h = rising_step(f, TurningAxis{normal, {}}, horizon);
+    double h = proves(TurningAxis{normal, {}});
     const auto better = [&](V3 spin) {
-        if (!(spin == V3{}) && h < horizon)
-            h = std::max(h, rising_step(f, TurningAxis{normal, spin}, horizon));
+        if (!(spin == V3{}) && h < horizon) h = std::max(h, proves(TurningAxis{normal, spin}));
     };
     better(f.a.rate);
     better(f.b.rate);
@@ -61,6 +60,13 @@ double rising(const Facing<Core>& f, V3 normal, double horizon)
         for (int k = 0; k < std::max(1, of_b.count); ++k)
             better(axis_between(of_a.feature[i], f.a.rate, of_b.feature[k], f.b.rate, normal, normal).spin);
     return h;
+}
+
+/// Over which the gap does not fall below what it is.
+double rising(const Facing<Core>& f, V3 normal, double horizon)
+{
+    return longest(f, normal, horizon,
+                   [&](const TurningAxis& axis) { return rising_step(f, axis, horizon); });
 }
 double rising(const Facing<Border>& f, V3 normal, double horizon)
 {
@@ -78,6 +84,17 @@ double rising_by_corners(const Facing<Core>& f, V3 normal, double horizon)
 double rising_by_corners(const Facing<Border>& f, V3 normal, double horizon)
 {
     return corner_rise(f, TurningAxis{normal, f.b.rate}, horizon);
+}
+
+/// Over which it does not decrease at any moment.
+double growing(const Facing<Core>& f, const Separation& now, double horizon)
+{
+    return longest(f, now.normal, horizon,
+                   [&](const TurningAxis& axis) { return growing_step(f, axis, now, horizon); });
+}
+double growing(const Facing<Border>& f, const Separation& now, double horizon)
+{
+    return growing_step(f, TurningAxis{now.normal, f.b.rate}, horizon);
 }
 
 /// Whether the gap is proven not to decrease as two bodies translate: its rate is more than rounding, or zero
@@ -98,6 +115,7 @@ public:
     Leaving(Course<Part>& course, const Separation& now, Start start)
         : course_(course),
           now_(now),
+          highest_(now),
           apart_(start == Start::near_contact),
           start_(course.answer(Status::touching, now)),
           blind_(course.options.start_contact == StartContact::ignore)
@@ -106,7 +124,9 @@ public:
     std::optional<Toi> run();
 
 private:
-    double gap() const { return now_.gap - course_.options.target_gap; }
+    double gap() const { return gap(now_); }
+    double gap(const Separation& s) const { return s.gap - course_.options.target_gap; }
+    bool fell_back();
     double step_away() const;
     double step_in_contact() const;
     double coast(double step, double t_end);
@@ -124,6 +144,8 @@ private:
 
     Course<Part>& course_;
     Separation now_;
+    Separation highest_; // so far
+    double highest_at_ = 0;
     bool apart_; // has been beyond the target gap, as far as can be told
     Toi start_;
     bool blind_;      // the way out of contact need not be proven
@@ -163,29 +185,41 @@ template <class Part> double Leaving<Part>::coast(double step, double t_end)
     return 0;
 }
 
+/// Whether the gap, which no step lets fall, has come down by the roundings of many: then that ends where it
+/// was highest.
+template <class Part> bool Leaving<Part>::fell_back()
+{
+    if (now_.gap >= highest_.gap) highest_ = now_, highest_at_ = course_.now();
+    const bool fell = (apart_ || !blind_) && gap() < std::min(gap(highest_), 0.0) - course_.slack;
+    if (!fell) return false;
+    course_.go(highest_at_);
+    now_ = highest_;
+    return true;
+}
+
 /// A step over which the gap provably does not fall below what it is, to a border on the way out of contact
 /// not at any moment, or once apart does not close: 0 if none is proven that could be told from standing
-/// still. Between bodies, from deeper down, it also ends at a part of what could bring the gap to the target,
-/// so that poses are looked at often enough to see it fall again.
+/// still. Between bodies, from deeper down, where it may fall in between, it also ends at a part of what
+/// could bring the gap to the target, so that poses are looked at often enough to see that.
 template <class Part> double Leaving<Part>::step_away() const
 {
-    const double shallow = tolerance::watchful * -gap() / course_.fastest,
-                 left = course_.window.end - course_.now();
+    const double left = course_.window.end - course_.now();
     const double least = std::min(course_.tolerance / course_.fastest, tolerance::small_part * left);
+    const Facing<Part>& f = course_.facing();
     if constexpr (std::is_same_v<Part, Border>) {
         if (!blind_ && !apart_) {
-            const Facing<Border>& f = course_.facing();
-            const double way = growing_step(f, TurningAxis{now_.normal, f.b.rate}, left);
+            const double way = growing(f, now_, left);
             return way >= least ? way : 0;
         }
     }
-    const Facing<Part>& f = course_.facing();
     double way = rising(f, now_.normal, left);
     if (!(way >= least) || course_.iterations >= tolerance::long_way)
         way = std::max(way, rising_by_corners(f, now_.normal, left));
     if (!(way >= least) && apart_ && gap() > course_.slack) way = stride(f, now_.normal, left).step.length;
     if (!(way >= least)) return 0;
-    return gap() < -course_.tolerance ? std::min(way, shallow) : way;
+    if (!(gap() < -course_.tolerance)) return way;
+    const double shallow = tolerance::watchful * -gap() / course_.fastest;
+    return way <= shallow ? way : std::max(shallow, growing(f, now_, way));
 }
 
 /// A step over which the gap provably does not exceed the target by more than the tolerance.
@@ -203,7 +237,7 @@ template <class Part> std::optional<Toi> Leaving<Part>::run()
     while (gap() <= tolerance) {
         apart_ = apart_ || gap() > 0;
         const bool deep = blind_ && !apart_ && gap() < -tolerance;
-        double step = deep ? step_in_contact() : step_away();
+        double step = fell_back() ? 0 : deep ? step_in_contact() : step_away();
         if (step == 0) {
             if (apart_) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
             if (!blind_) return touching();
