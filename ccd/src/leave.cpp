@@ -127,6 +127,7 @@ private:
     double gap() const { return gap(now_); }
     double gap(const Separation& s) const { return s.gap - course_.options.target_gap; }
     bool fell_back();
+    bool long_watched() const;
     double step_away() const;
     double step_in_contact() const;
     double coast(double step, double t_end);
@@ -197,6 +198,14 @@ template <class Part> bool Leaving<Part>::fell_back()
     return true;
 }
 
+/// Whether much of the budget went into watching a gap that no proof spans: that it does not fall counts as
+/// unproven then, and the rest would hardly lead to the next contact.
+template <class Part> bool Leaving<Part>::long_watched() const
+{
+    return !blind_ && !apart_ &&
+           course_.iterations > tolerance::most_watched * course_.options.max_iterations;
+}
+
 /// A step over which the gap provably does not fall below what it is, to a border on the way out of contact
 /// not at any moment, or once apart does not close: 0 if none is proven that could be told from standing
 /// still. Between bodies, from deeper down, where it may fall in between, it also ends at a part of what
@@ -237,7 +246,7 @@ template <class Part> std::optional<Toi> Leaving<Part>::run()
     while (gap() <= tolerance) {
         apart_ = apart_ || gap() > 0;
         const bool deep = blind_ && !apart_ && gap() < -tolerance;
-        double step = fell_back() ? 0 : deep ? step_in_contact() : step_away();
+        double step = fell_back() || long_watched() ? 0 : deep ? step_in_contact() : step_away();
         if (step == 0) {
             if (apart_) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
             if (!blind_) return touching();

@@ -167,6 +167,9 @@ inline constexpr double ring_excess = 1.0824;
 /// How much of the time in which a deep contact could end is passed before it is looked at again.
 inline constexpr double watchful = 0.25;
 
+/// How much of a budget may go into the way out of a contact that must not deepen before that is `touching`.
+inline constexpr double most_watched = 0.5;
+
 /// How deep in roundings a time is tried at which contact is to be proven: first as little as may show, then
 /// enough for features that slip.
 inline constexpr double shallow = 8;
