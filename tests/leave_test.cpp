@@ -61,6 +61,29 @@ TEST_CASE("leave: out of contact in a few looks, however fast the bodies turn, w
     CHECK(looks < 20 * left);
 }
 
+TEST_CASE("leave: out of an overlap that is ignored in a few looks, however fast the bodies turn")
+{
+    Random random(273);
+    int left = 0, looks = 0, most = 0;
+    for (int i = 0; i < 4'000; ++i) {
+        const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
+        Motion motion_a = random_motion(random, 0.7), motion_b = random_motion(random, 0.7);
+        motion_a.rotation *= 4;
+        motion_b.rotation *= 4;
+        const TwoBodies<Core> scene{moving_core(a, motion_a), moving_core(b, motion_b)};
+        if (!(scene.at(0).gap < -1e-6)) continue;
+        CAPTURE(i);
+        const Toi toi = time_of_impact(a, motion_a, b, motion_b, {.start_contact = StartContact::ignore});
+        CHECK(toi.status != Status::undecided);
+        ++left;
+        looks += toi.iterations;
+        most = std::max(most, toi.iterations);
+    }
+    CHECK(left > 500);
+    CHECK(looks < 20 * left);
+    CHECK(most < 100);
+}
+
 TEST_CASE("leave: what does not prove to separate is touching")
 {
     Random random(272);

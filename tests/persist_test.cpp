@@ -73,6 +73,36 @@ TEST_CASE("contact_step: radii and a target gap count")
     CHECK(tally.lasting > 2'000);
 }
 
+TEST_CASE("contact_step: cores that overlap, until the last of it")
+{
+    // To first order contact could end in the time that the fastest points take for the depth.
+    Random random(54);
+    Tally tally;
+    int shallow = 0, beyond_first_order = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
+        const Motion motion_a = random_motion(random, 0.6), motion_b = random_motion(random, 0.6);
+        const double t = random.between(0, 0.9);
+        CAPTURE(i);
+        const TwoBodies<Core> scene{moving_core(a, motion_a), moving_core(b, motion_b)};
+        const Moment<Core> moment(scene, t);
+        const double radii = moment.a.radius + moment.b.radius;
+        const Separation now = separation(moment.a, moment.b);
+        if (!(now.gap + radii < 0)) continue;
+        check_lasting(scene, t, radii, 0, tally);
+        const Facing<Core> f = moment.facing();
+        const double step = contact_step(f, now, radii, 1 - t);
+        const double fastest = norm(f.velocity) + f.a.angle * f.a.reach + f.b.angle * f.b.reach;
+        const double depth = -(now.gap + radii);
+        if (depth > 0.02 || radii > 0) continue;
+        ++shallow;
+        beyond_first_order += step * fastest > 2 * depth;
+    }
+    CHECK(tally.lasting > 3'200);
+    CHECK(shallow > 150);
+    CHECK(beyond_first_order > 0.6 * shallow);
+}
+
 TEST_CASE("contact_step: planes and half-spaces")
 {
     Random random(53);

@@ -95,6 +95,31 @@ TEST_CASE("cores that overlap: moved by the gap told along the normal told they 
     CHECK(overlapping > 5'000);
 }
 
+TEST_CASE("cores apart: a face that is nearly at right angles to the way is the axis of the distance")
+{
+    // An edge or a corner of it is as near as doubles tell, and leads to an axis that falls short of the
+    // distance by the tilt.
+    SolidCores cores(103);
+    Random& random = cores.random;
+    int beside = 0;
+    for (int i = 0; i < 4'000; ++i) {
+        const double angle = random.log_between(1e-12, 1e-5), gap = random.log_between(1e-3, 1);
+        const V3 tilt = angle * load(random.unit());
+        const Core box = placed(core(Box{{2, 1.5, 3}}),
+                                rotation(Quat(1, 0.5 * tilt.x, 0.5 * tilt.y, 0.5 * tilt.z)), {0, -1.5, 0});
+        const Core local = core(cores.hull(4 + random.index(20)));
+        const V3 lowest = farthest(local, {0, -1, 0}).point;
+        const V3 over{2.0 * (random.index(3) - 1), gap,
+                      3.0 * (random.index(3) - 1)}; // the middle or the border
+        const Core above = placed(local, {}, over - lowest);
+        CAPTURE(i);
+        const Separation s = separation(box, above);
+        CHECK(s.gap - s.lower <= 1e-9);
+        beside += s.gap - s.lower > 64 * eps * scale(box, above);
+    }
+    CHECK(beside < 20); // of flat hulls, and where other edges count than those of the corners found
+}
+
 TEST_CASE("a ball as ellipsoid, a box as hull: the same as themselves")
 {
     Random random(82);

@@ -73,6 +73,81 @@ TEST_CASE("regression: faces so thin that GJK's weights put a point beside where
         Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
 }
 
+TEST_CASE("regression: needles, whose corners GJK weighed too coarsely for the points told")
+{
+    // Points were 4e-13 beside the shapes, as separation() took them from weights of a sliver.
+    check(
+        Query{Box{Vec3(0x1.3ec10827bd9e9p-19, 0x1.e18743845988fp+0, 0x1.3ec10827bd9e9p-19)},
+              Motion{Pose{Vec3(-0x1.81c99a9b3a5b8p+0, -0x1.1391fbcf2eac2p+0, 0x1.627d5e9200976p+0),
+                          Quat(-0x1.1cfb46p-1, 0x1.7846dp-3, -0x1.36f69ap-1, 0x1.128ef6p-1)},
+                     Vec3(-0x1.37cbc3c68661fp-2, 0x1.64be915c07115p-1, -0x1.eb31fa2e4ea5ep+0),
+                     Vec3(-0x1.7251c61c68212p-2, 0x1.654f366d33b7ap-2, 0x1.83ed6bdcf8ac1p-2),
+                     Vec3(-0x1.3ec10827bd98p-19, 0x1.ccd66522182f4p+0, 0x1.3ec10827bda4p-19)},
+              Hull::from_points(std::vector<Vec3>{Vec3(0x1.2e18a2d08467p-2, 0x1.227a75a6aabbcp-2, 0x1p-2),
+                                                  Vec3(-0x1.b0d900bc7026p-2, 0x1.e713ec9707d02p-1, 0x1p-2),
+                                                  Vec3(-0x1.e2af0681acc74p-1, 0x1.e7105071192a2p-1, 0x1p-2),
+                                                  Vec3(0x1.b23d6312be8p-9, 0x1.2181bf314c202p-1, 0x1p-2),
+                                                  Vec3(-0x1.a309c1858f06ep-1, -0x1.06dc827e33534p-1, 0x1p-2),
+                                                  Vec3(0x1.137940bd3750ep-1, 0x1.5b9cfc963fb28p-1, 0x1p-2),
+                                                  Vec3(-0x1.f0178d394bafcp-1, -0x1.f60026bde55ap-3, 0x1p-2),
+                                                  Vec3(0x1.b4ea261e191f8p-1, -0x1.c4ce9a1f80a9cp-1, 0x1p-2),
+                                                  Vec3(0x1.9d21678d4ab14p-2, -0x1.89088e025e12p-4, 0x1p-2),
+                                                  Vec3(-0x1.4b4d7f29a8d8p-6, -0x1.fe5bedb8e5a48p-3, 0x1p-2),
+                                                  Vec3(-0x1.0479fd957419cp-1, 0x1.017aa36330f3ap-1, 0x1p-2),
+                                                  Vec3(0x1.1a9f3458ce57p-2, -0x1.daa132636f54p-6, 0x1p-2),
+                                                  Vec3(-0x1.973ad4182c6bcp-2, 0x1.4b9e540286ec8p-3, 0x1p-2),
+                                                  Vec3(-0x1.58033dca92b6p-2, -0x1.82d15ced1259ep-1, 0x1p-2),
+                                                  Vec3(0x1.00b622290b33p-4, -0x1.8067a85aa81ap-1, 0x1p-2),
+                                                  Vec3(0x1.a7465159ea10cp-2, 0x1.f865f0ac507b8p-1, 0x1p-2),
+                                                  Vec3(-0x1.f8fe565a57e8p-5, -0x1.d5a649bd7db2ep-1, 0x1p-2),
+                                                  Vec3(0x1.5bdda16635bbp-4, 0x1.e7c60980bbe4p-3, 0x1p-2),
+                                                  Vec3(-0x1.c9892415971c8p-3, -0x1.5d564b0f5d444p-2, 0x1p-2),
+                                                  Vec3(0x1.8aba8feaef57cp-2, -0x1.14fec957ef99cp-1, 0x1p-2),
+                                                  Vec3(-0x1.fdeb0e73f1ab8p-1, 0x1.205c7ff878daep-1, 0x1p-2),
+                                                  Vec3(0x1.0f23a470e8f8p-7, 0x1.de31887e6df6ep-1, 0x1p-2),
+                                                  Vec3(-0x1.80e3561d3b5e4p-2, 0x1.f2583e9476f2ap-1, 0x1p-2),
+                                                  Vec3(-0x1.f6afc08f85ebap-1, 0x1.d9d953d426cd4p-1, 0x1p-2),
+                                                  Vec3(0x1.b5cc8c8237e1p-3, 0x1.25f0a65a85ac4p-2, 0x1p-2),
+                                                  Vec3(0x1.9176c5bd64234p-2, -0x1.e98ca555abac6p-1, 0x1p-2),
+                                                  Vec3(0x1.575716a93ba8p-1, 0x1.e1d8cece342cp-3, 0x1p-2),
+                                                  Vec3(-0x1.da60a424a667p-1, 0x1.3813ed90b894ep-1, 0x1p-2),
+                                                  Vec3(0x1.967f944b07ee8p-2, -0x1.74b82c041d1bp-4, 0x1p-2),
+                                                  Vec3(0x1.42510fd4a632p-5, 0x1.1806d8fc57d6p-3, 0x1p-2),
+                                                  Vec3(-0x1.acf51b4c5c83ep-1, 0x1.3660a534227ep-2, 0x1p-2),
+                                                  Vec3(-0x1.6d57f147a3e4cp-2, 0x1.36f2ff0517468p-2, 0x1p-2),
+                                                  Vec3(0x1.f6c70407103f2p-1, -0x1.d0606c642ee28p-1, 0x1p-2),
+                                                  Vec3(-0x1.bf90a4a266dc2p-1, 0x1.421d332d9123cp-1, 0x1p-2),
+                                                  Vec3(-0x1.4f77087699fb4p-1, -0x1.323d6540bdfeap-1, 0x1p-2),
+                                                  Vec3(-0x1.9aa06a86f55f8p-1, 0x1.b7c8f5f40dcap-2, 0x1p-2),
+                                                  Vec3(-0x1.9a578f7ef28e4p-1, -0x1.828921881b1c4p-2, 0x1p-2),
+                                                  Vec3(-0x1.07caa639fac68p-3, 0x1.36d9b45936d58p-1, 0x1p-2),
+                                                  Vec3(0x1.018fd46f21f9p-4, 0x1.1917bb6b0cf94p-2, 0x1p-2),
+                                                  Vec3(-0x1.732bc6cad0c8ep-1, -0x1.df6c6465111bp-2, 0x1p-2)}),
+              Motion{Pose{Vec3(0, 0, 0), Quat(-0x1.4e5b3f248fd92p-1, 0x1.d67f8f93c89d7p-3,
+                                              0x1.48e1f71a1205cp-1, 0x1.50c09a4d849dbp-2)},
+                     Vec3(-0x1.5c3ca699df87p-2, 0x1.57eb64fa43234p-1, -0x1.f13e8eee7e0a8p+0), Vec3(0, 0, 0),
+                     Vec3(0, 0, 0)},
+              Options{1, 0, 0x1.0c6f7a0b5ed8dp-20, StartContact::report, Detail::contact, 256}});
+    // -0.625921687) iterations=33
+    check(Query{Box{Vec3(0x1.6a59020b911a3p-15, 0x1.9d8b55e4cf93cp+0, 0x1.6a59020b911a3p-15)},
+                Motion{Pose{Vec3(-0x1.524ae7b91f2dp-1, -0x1.9292c374c521p-3, -0x1.9111db26bb1c8p-4),
+                            Quat(-0x1.7a3512bb45294p-1, 0x1.19a6e2af24492p-2, -0x1.d00114bd12a2ap-3,
+                                 -0x1.24f128da1998p-1)},
+                       Vec3(-0x1.834456a21937p-3, -0x1.55415cd4c4141p+1, -0x1.63dd59734ef4cp+0),
+                       Vec3(-0x1.c749bc66fb1dcp+1, -0x1.00f6c9b214151p+1, 0x1.533c09503f49p+1),
+                       Vec3(0x1.6a59020b911abp-15, -0x1.0c2c0f5ea21cap-1, 0x1.6a59020b911adp-15)},
+                Hull::from_points(std::vector<Vec3>{
+                    Vec3(0x1.9641f559d0d78p-1, -0x1.5dd1386ae0116p-1, 0x1.3b42a073a4156p-1),
+                    Vec3(0x1.3d14403be804cp-2, 0x1.72fa3d77b131p-1, 0x1.6f4b6dafa79a4p-2),
+                    Vec3(-0x1.bfd48d8b0932cp-1, -0x1.5170afc19df38p-3, -0x1.e4ef5cc6ec614p-1),
+                    Vec3(0x1.0d41b419cacb4p-2, -0x1.0e4559f8aac3cp-2, 0x1.0d199803f6d2cp-2)}),
+                Motion{Pose{Vec3(-0x1.e470a0e62eefap-1, 0x1.8a5f506149078p-2, -0x1.45f2087a03914p-1),
+                            Quat(1, 0, 0, 0)},
+                       Vec3(-0x1.834456a21937p-3, -0x1.55415cd4c4141p+1, -0x1.63dd59734ef4cp+0),
+                       Vec3(0, 0, 0), Vec3(0x1.8ff6eab9406ap-1, 0x1.ac76fbca17be8p+0, 0x1.49d3ca4eb239p+1)},
+                Options{1, 0, 0x1.0c6f7a0b5ed8dp-20, StartContact::report, Detail::contact, 256}});
+}
+
 TEST_CASE("regression: a budget spent on the way out of contact is told where that ended")
 {
     // The contact was that of a pose before.

@@ -2,7 +2,10 @@
 #include "persist.h"
 
 #include "depth.h"
+#include "falling.h"
+#include "gjk.h"
 #include "support.h"
+#include "tolerance.h"
 
 #include <algorithm>
 
@@ -10,7 +13,7 @@ namespace brink {
 
 namespace {
 
-constexpr int bisections = 48;
+constexpr int bisections = 48, thirds = 12, narrowings = 4;
 
 /// The last h at which a concave function, which is not negative at 0, is not negative either.
 template <class Function> double last(const Function& f, double horizon)
@@ -50,6 +53,34 @@ double inside(const Posed<Core>& of, const Posed<Core>& solid, V3 velocity, V3 p
         horizon);
 }
 
+/// Of a point of one core, that which is nearest to the middle of a solid, and those between, the deepest in
+/// the solid.
+V3 deepest(const Core& of, const Core& solid, V3 point)
+{
+    Core target;
+    target.points[0] = middle(solid);
+    const Separation s = separation(of, target);
+    const bool apart = s.gap + of.radius > 0;
+    const V3 way = (apart ? s.point_a - of.radius * s.normal : target.points[0]) - point;
+    double low = 0, high = 1;
+    for (int i = 0; i < thirds; ++i) { // depth is concave
+        const double third = (high - low) / 3, a = low + third, b = high - third;
+        if (depth(solid, point + a * way) < depth(solid, point + b * way))
+            low = a;
+        else
+            high = b;
+    }
+    return point + low * way;
+}
+
+/// As long as such a point, or the one given, stays inside the core of the other.
+double pierced(const Posed<Core>& of, const Posed<Core>& solid, V3 velocity, V3 point, double horizon)
+{
+    const double step = inside(of, solid, velocity, point, horizon);
+    if (solid.part.kind <= Core::Kind::triangle || step == horizon) return step;
+    return std::max(step, inside(of, solid, velocity, deepest(of.part, solid.part, point), horizon));
+}
+
 /// As long as a point of A and one of B stay within reach of each other.
 double within(const Facing<Core>& f, V3 a, V3 b, double reach, double horizon)
 {
@@ -58,6 +89,83 @@ double within(const Facing<Core>& f, V3 a, V3 b, double reach, double horizon)
     const double acceleration = f.a.angle * f.a.angle * norm(a) + f.b.angle * f.b.angle * norm(arm);
     return last([&](double h) { return reach - norm((b - a) + h * velocity) - 0.5 * acceleration * h * h; },
                 horizon);
+}
+
+/// The way from a point of A to one of B as they move: how fast it changes, and bounds of that and of its
+/// second derivative.
+struct Way {
+    V3 now, rate;
+    double speed = 0, bend = 0;
+};
+
+Way way_between(const Facing<Core>& f, V3 a, V3 b)
+{
+    const V3 of_a = cross(f.a.rate, a), of_b = cross(f.b.rate, b - f.b.pivot);
+    return {b - a, f.velocity + of_b - of_a, norm(f.velocity) + norm(of_b) + norm(of_a),
+            f.b.angle * norm(of_b) + f.a.angle * norm(of_a)};
+}
+
+/// As long as the volume that three ways span, times `side`, stays positive.
+double spanned(const Way& p, const Way& q, const Way& r, double side, double horizon)
+{
+    const V3 by_q = cross(q.now, r.now);
+    const double volume = side * dot(p.now, by_q);
+    const double rate =
+        side * (dot(p.rate, by_q) + dot(q.rate, cross(r.now, p.now)) + dot(r.rate, cross(p.now, q.now)));
+    const auto longest = [&](const Way& w) { return norm(w.now) + horizon * w.speed; };
+    const double at_p = longest(p), at_q = longest(q), at_r = longest(r);
+    const double bend = p.bend * at_q * at_r + q.bend * at_r * at_p + r.bend * at_p * at_q +
+                        2 * (p.speed * q.speed * at_r + q.speed * r.speed * at_p + r.speed * p.speed * at_q);
+    const double spare = volume - tolerance::tight * at_p * at_q * at_r;
+    return spare > 0 ? std::min(horizon, falls(spare, rate, bend)) : 0;
+}
+
+/// As long as four ways close over the origin, as their volumes on all sides keep one sign: the origin is a
+/// mean of them, and the same means of both ends are one point of both cores.
+double closed(const Way (&w)[4], double horizon)
+{
+    const double side =
+        dot(w[0].now - w[3].now, cross(w[1].now - w[3].now, w[2].now - w[3].now)) > 0 ? 1 : -1;
+    double best = 0;
+    for (int i = 0; i < narrowings && horizon > best; ++i) { // bends are bounded better over less time
+        const double h =
+            std::min({spanned(w[0], w[1], w[2], side, horizon), spanned(w[0], w[2], w[3], side, horizon),
+                      spanned(w[0], w[3], w[1], side, horizon), spanned(w[1], w[3], w[2], side, horizon)});
+        best = std::max(best, h);
+        horizon = std::min(horizon, 4 * h);
+    }
+    return best;
+}
+
+/// As long as cores that overlap do by three pairs of points about where the way out is the shortest, and one
+/// pair far from there.
+double overlapping(const Facing<Core>& f, const Separation& contact, double horizon)
+{
+    const Core &a = f.a.part, &b = f.b.part;
+    const V3 n = contact.normal;
+    const double depth = -(contact.gap + a.radius + b.radius);
+    if (!(depth > 0) || n == V3{}) return 0;
+    Way w[4];
+    w[3] = way_between(f, farthest(a, -n).point, farthest(b, n).point);
+    // The corners next to the way out are those that come nearest where one core is moved out along it.
+    const V3 out = 1.25 * depth * n;
+    const Closest c = gjk(a, placed(b, {}, out), {tolerance::tight * norm(w[3].now), 0, 0});
+    double best = 0;
+    if (!c.inside && c.simplex.size == 3) {
+        for (int k = 0; k < 3; ++k)
+            w[k] = way_between(f, c.simplex.corners[k].on_a, c.simplex.corners[k].on_b - out);
+        best = closed(w, horizon);
+    }
+    // Round ones: where the surface has fallen by a part of the depth.
+    const double least = std::sqrt(depth / norm(w[3].now)), half_root_three = 0.8660254037844386;
+    for (const double tilt : {0.5 * least, least, 2 * least, 4 * least}) {
+        const V3 x = tilt * any_perpendicular(n), y = cross(n, x);
+        const V3 around[] = {x, half_root_three * y - 0.5 * x, -half_root_three * y - 0.5 * x};
+        for (int k = 0; k < 3; ++k)
+            w[k] = way_between(f, farthest(a, n + around[k]).point, farthest(b, -n - around[k]).point);
+        best = std::max(best, closed(w, horizon));
+    }
+    return best;
 }
 
 /// As long as the balls about both pivots that lie inside the cores stay within reach of each other, however
@@ -78,8 +186,9 @@ double contact_step(const Facing<Core>& f, const Separation& contact, double rea
     const V3 a = contact.point_a - f.a.part.radius * contact.normal;
     const V3 b = contact.point_b + f.b.part.radius * contact.normal;
     const double pair = within(f, a, b, reach, horizon);
-    const double in_b = inside(f.a, f.b, -f.velocity, a, horizon);
-    return std::max({pair, in_b, inside(f.b, f.a, f.velocity, b, horizon), balls(f, reach, horizon)});
+    const double in_b = pierced(f.a, f.b, -f.velocity, a, horizon);
+    return std::max({pair, in_b, pierced(f.b, f.a, f.velocity, b, horizon), balls(f, reach, horizon),
+                     overlapping(f, contact, horizon)});
 }
 
 double contact_step(const Facing<Border>& f, const Separation&, double reach, double horizon)

@@ -65,6 +65,15 @@ void confirm(Closest& c, const Core& a, const Core& b, V3 n, double slack)
                 norm(c.simplex.point() - c.v) <= slack;
 }
 
+/// How far the weights of a simplex lead beside its nearest point, made better where that is too far.
+double weighed(Simplex& s, V3 nearest, double enough)
+{
+    const double beside = norm(s.point() - nearest);
+    if (beside <= enough) return beside;
+    s.weigh(nearest);
+    return norm(s.point() - nearest);
+}
+
 } // namespace
 
 Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
@@ -85,7 +94,8 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         const double inverse = 1 / distance, lower = inverse * dot(c.v, corner.w);
         if (lower > c.lower) c.lower = lower, c.normal = inverse * c.v;
         if (distance - lower <= near.slack + near.relative * std::max(0.0, distance - near.reach)) {
-            c.certain = norm(s.point() - c.v) <= near.slack + near.relative * distance;
+            const double enough = near.slack + near.relative * distance;
+            c.certain = weighed(s, c.v, enough) <= enough;
             c.lower = lower;
             c.normal = inverse * c.v;
             c.point_a = s.on_a();
@@ -108,6 +118,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         s.keep(next);
         c.v = v;
     }
+    if (!c.inside) weighed(s, c.v, near.slack);
     c.point_a = s.on_a();
     if (!c.inside) confirm(c, a, b, feature_normal(s, c.v), near.slack);
     return c;

@@ -124,6 +124,19 @@ SupportPoint farthest_of_hull(const Core& c, const V3& d)
     return farthest_one_by_one(c, d);
 }
 
+V3 face_towards(const Core& c, V3 d)
+{
+    const V3 along = into(c.axes, d);
+    V3 best;
+    double highest = -infinity;
+    for (const HullData::Faces& two : c.hull->faces)
+        for (std::size_t i = 0; i < 2; ++i) {
+            const V3 n{two.x[i], two.y[i], two.z[i]};
+            if (dot(n, along) > highest) highest = dot(n, along), best = n;
+        }
+    return c.axes * best;
+}
+
 double depth(const HullData& h, V3 point)
 {
     Two least = both(h.faces.empty() ? 0 : infinity);

@@ -93,6 +93,59 @@ Separation by_features(const Core& a, const Core& b, const Axis& axis, double sl
             pair.point_a + pair.v};
 }
 
+/// The edges of a core, of a hull those about the corners that a simplex names.
+struct Edges {
+    static constexpr int most = 32;
+    int count = 0;
+    V3 along[most];
+
+    Edges(const Core& core, const Simplex& s, int Simplex::Corner::*name)
+    {
+        if (core.kind != Core::Kind::hull) {
+            const Directions d = directions(core);
+            std::for_each(d.edge, d.edge + d.edges, [&](V3 e) { add(e); });
+            return;
+        }
+        const HullData& hull = *core.hull;
+        for (int k = 0; k < s.size && !hull.neighbours.empty(); ++k) {
+            const int from = s.corners[k].*name;
+            const auto first = hull.neighbours.begin() + hull.first_neighbour[static_cast<std::size_t>(from)];
+            const auto last =
+                hull.neighbours.begin() + hull.first_neighbour[static_cast<std::size_t>(from) + 1];
+            std::for_each(first, last, [&](int to) { add(corner(core, to) - corner(core, from)); });
+        }
+    }
+
+private:
+    void add(V3 edge)
+    {
+        if (count < most) along[count++] = edge;
+    }
+};
+
+/// Cores apart by v or hardly less. Where a face is nearly at right angles to v an edge or a corner is as
+/// near as doubles tell, and where an edge is a corner, so that v leads beside the axis of the distance: that
+/// of the faces and edges about.
+Axis by_neighbours(const Core& a, const Core& b, Axis best, const Closest& c, double enough)
+{
+    const auto ask = [&](V3 n) {
+        if (best.gap < enough) best = preferred(best, along(a, b, dot(n, c.v) < 0 ? -n : n), enough);
+    };
+    for (const Core* core : {&a, &b}) {
+        const Directions d = directions(*core);
+        std::for_each(d.face, d.face + d.faces, ask);
+        if (core->kind == Core::Kind::hull) ask(face_towards(*core, core == &a ? c.v : -c.v));
+    }
+    if (best.gap >= enough) return best;
+    const Edges of_a(a, c.simplex, &Simplex::Corner::in_a), of_b(b, c.simplex, &Simplex::Corner::in_b);
+    for (const Edges* edges : {&of_a, &of_b})
+        std::for_each(edges->along, edges->along + edges->count, [&](V3 e) { ask(across(c.v, e)); });
+    for (int i = 0; i < of_a.count; ++i)
+        for (int k = 0; k < of_b.count; ++k)
+            ask(common_normal(of_a.along[i], of_b.along[k]));
+    return best;
+}
+
 bool has_round(const Core& a, const Core& b) { return !is_polytope(a) || !is_polytope(b); }
 
 double doubt(const Separation& s) { return s.gap - s.lower; }
@@ -102,8 +155,10 @@ double doubt(const Separation& s) { return s.gap - s.lower; }
 Separation refined(const Core& a, const Core& b, const Closest& c, const Axis& ahead, double slack)
 {
     const double distance = norm(c.v);
-    if (!has_round(a, b))
-        return {std::min(ahead.gap, distance), distance, ahead.normal, c.point_a, c.point_a + c.v};
+    if (!has_round(a, b)) {
+        const Axis axis = by_neighbours(a, b, ahead, c, distance - slack);
+        return {std::min(axis.gap, distance), distance, axis.normal, c.point_a, c.point_a + c.v};
+    }
     const LocalTop top = locally_best(a, b, ahead, slack);
     const bool shorter = norm_squared(top.v) < norm_squared(c.v);
     const double gap = std::max(top.axis.gap, shorter ? norm(top.v) : distance);

@@ -116,6 +116,21 @@ V3 Simplex::nearest_point(const Needed& n) const
     return n.weight[0] * a + n.weight[1] * b + n.weight[2] * c;
 }
 
+void Simplex::weigh(V3 point)
+{
+    if (size != 3) return;
+    const V3 a = corners[0].w, b = corners[1].w, c = corners[2].w;
+    const Leaning t = leaning(a, b, c);
+    const V3 base = t.q - t.p, side = t.apex - t.p, height = across(side, base), on_plane = point - t.p;
+    const double up = dot(across(on_plane, base), height) / norm_squared(height);
+    const double on = dot(on_plane - up * side, base) / norm_squared(base);
+    if (!(up >= 0 && on >= 0 && up + on <= 1)) return;
+    const int first = t.p == a ? 0 : t.p == b ? 1 : 2;
+    corners[first].weight = 1 - on - up;
+    corners[(first + 1) % 3].weight = on;
+    corners[(first + 2) % 3].weight = up;
+}
+
 void Simplex::keep(const Needed& n)
 {
     size = n.count;

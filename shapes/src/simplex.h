@@ -43,6 +43,8 @@ struct Simplex {
     /// That point from the line or plane of its corners: true in direction where it is short, while the
     /// rounding of the weights tilts it.
     [[nodiscard]] V3 nearest_point(const Needed&) const;
+    /// Weights for a point in the plane of three corners, as true where they are a sliver as elsewhere.
+    void weigh(V3 point);
     /// Leaves only those corners.
     void keep(const Needed&);
     /// Both at once.
