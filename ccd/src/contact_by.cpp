@@ -11,20 +11,41 @@ namespace brink {
 
 namespace {
 
+/// Where a point of each body will be beside the other one, as that is placed now.
+struct Beside {
+    V3 a, b;
+    double doubt; // beyond rounding
+};
+
+/// Over times in which paths hardly bend, along the velocities.
+Beside beside(const Course<Core>& course, V3 a, V3 b, double later)
+{
+    const Facing<Core>& f = course.facing();
+    const double h = later - course.now(), turning = f.a.angle + f.b.angle;
+    // Of either point seen from the other body: its own and Coriolis' acceleration, and the centrifugal one.
+    const double bend = turning * (3 * course.fastest + turning * (norm(b - a) + 2 * h * course.fastest));
+    const double bent = 0.5 * bend * h * h;
+    if (bent <= course.rounding) {
+        const V3 to_a = f.velocity + cross(f.b.rate, a - f.b.pivot) - cross(f.a.rate, a);
+        const V3 to_b = f.velocity + cross(f.b.rate, b - f.b.pivot) - cross(f.a.rate, b);
+        return {a - h * to_a, b + h * to_b, bent};
+    }
+    const auto at = course.later(later);
+    const V3 later_b = at.turn_b * (b - f.b.pivot) + at.pivot_b;
+    return {into(at.turn_b, at.turn_a * a - at.pivot_b) + f.b.pivot, into(at.turn_a, later_b), 0};
+}
+
 /// Whether the witness points, which go with their bodies, prove contact at a later time, or else four
 /// corners of the difference do.
 bool in_contact(Course<Core>& course, const Watch& watch, const Sight& sight, double later)
 {
     const Facing<Core>& f = course.facing();
-    const auto at = course.later(later);
-    const V3 a = at.turn_a * sight.point_a;
-    const V3 b = at.turn_b * (sight.point_a + sight.v - f.b.pivot) + at.pivot_b;
-    const double doubt = course.rounding + sight.astray;
-    if (course.radii > 0) return norm(b - a) + doubt <= course.radii;
-    // Each body stays where it is, and the other's point goes where it will be beside it.
-    const V3 beside_b = into(at.turn_b, a - at.pivot_b) + f.b.pivot;
-    if (depth(f.b.part, beside_b) > doubt) return true;
-    if (depth(f.a.part, into(at.turn_a, b)) > doubt) return true;
+    const V3 on_b = sight.point_a + sight.v;
+    const Beside gone = beside(course, sight.point_a, on_b, later);
+    const double doubt = course.rounding + sight.astray + gone.doubt;
+    if (course.radii > 0) return norm(on_b - gone.a) + doubt <= course.radii;
+    if (depth(f.b.part, gone.a) > doubt) return true;
+    if (depth(f.a.part, gone.b) > doubt) return true;
     const double now = course.now();
     course.go(later);
     const bool proven = watch.overlap(f, course.rounding);

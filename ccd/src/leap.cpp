@@ -132,6 +132,7 @@ private:
     std::optional<Leap> proven(const Step& step)
     {
         const double at = course_.now();
+        sight_.axis_gap = step.gap + course_.facing().margin;
         if (step.length >= at - start_) return Leap{start_, at, sight_};
         course_.go(start_);
         if (!(step.length > 0)) return {};

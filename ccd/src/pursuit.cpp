@@ -94,7 +94,9 @@ double Pursuit::falls_to(double aim, double near, double from, double until) con
     for (int i = 0; i < tolerance::most_guesses; ++i) {
         const double next = brink::falls_to(aim, before, last);
         if (!(last.gap.rate < 0 && next > from && next < until)) return infinity;
-        if (std::fabs(aim - last.gap.now) <= near) return next;
+        const double rest = std::fabs(aim - last.gap.now), rest_before = std::fabs(aim - before.gap.now);
+        // What is left falls at least with the square: the next guess is near enough unseen.
+        if (rest <= near || rest * rest < near * rest_before) return next;
         before = last;
         last = at(next);
     }

@@ -24,7 +24,7 @@ public:
     {
         set_out({f.a.rate, f.a.angle, on_a}, {f.b.rate, f.b.angle, on_b - pivots_}, features, normal);
     }
-    /// When the gap between the features falls to `aim`, as nearly as one step of Newton's method from `near`
+    /// When the gap between the features falls to `aim`, as nearly as one step more from `near`
     /// tells it; infinity where it does not between the two times, as far as is seen on the way there.
     double falls_to(double aim, double near, double from, double until) const;
     /// That gap at some time.

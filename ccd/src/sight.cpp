@@ -200,7 +200,7 @@ std::optional<Separation> shown(const Sight& sight, const Facing<Core>& f, doubl
     const V3 n = sight.best_normal();
     const double apart = dot(sight.v, n);
     if (!(sight.upper < infinity) || !(sight.astray <= doubt) || !(norm(sight.v - apart * n) <= doubt) ||
-        !(apart - gap_along(a, b, n) <= doubt))
+        !(apart - (sight.axis_gap > -infinity ? sight.axis_gap : gap_along(a, b, n)) <= doubt))
         return {};
     const double gap = apart - (a.radius + b.radius);
     const V3 point_a = sight.point_a + a.radius * n;

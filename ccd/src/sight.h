@@ -19,6 +19,7 @@ struct Sight {
     double upper = infinity;  // a distance between points of the cores, radii left out, where one was taken
     V3 point_a, v;            // those points: v leads from A's to B's
     double astray = 0;        // how far from B point_a + v may lie
+    double axis_gap = -infinity; // what best_normal() is known to keep the cores apart by, up to rounding
 
     V3 best_normal() const { return axis.normal == V3{} ? normal : axis.normal; }
 };
