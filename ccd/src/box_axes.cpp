@@ -15,11 +15,22 @@ struct Cosines {
     double size[3][3];
 };
 
-/// The best axis so far: 0 to 2 a face of A, 3 to 5 a face of B, then edges 6 + 3 i + j.
-struct Best {
-    double gap = -infinity;
-    int index = 0;
-    double side = 1; // of the centre of B
+/// Axes of one kind, side by side: which is the best can hardly be predicted, so no branch asks. Past the
+/// last one nothing is larger than another.
+template <int n> struct Axes {
+    double gap[n];  // of edges its square, with its sign
+    double from[n]; // the centre of B along it
+
+    int best() const
+    {
+        Two most = both(-infinity), at{};
+        for (int k = 0; k < n; k += 2) {
+            const Two here = load_two(&gap[k]), place{static_cast<double>(k), static_cast<double>(k + 1)};
+            at = select(here > most, place, at);
+            most = larger(here, most);
+        }
+        return static_cast<int>(select(both(most[1]) > most, both(at[1]), at)[0]);
+    }
 };
 
 struct Boxes {
@@ -46,44 +57,53 @@ Boxes boxes(const Core& a, const Core& b)
     return s;
 }
 
-void try_faces(const Boxes& s, Best& best)
+/// 0 to 2 those of A, 3 to 5 those of B.
+Axes<6> faces(const Boxes& s)
 {
+    Axes<6> out;
     for (int k = 0; k < 3; ++k) {
         const double* row = s.c.size[k];
-        const double gap =
+        out.from[k] = s.from[k];
+        out.gap[k] =
             std::fabs(s.from[k]) - (s.ha[k] + (s.hb[0] * row[0] + s.hb[1] * row[1] + s.hb[2] * row[2]));
-        if (gap > best.gap) best = {gap, k, s.from[k]};
     }
     for (int k = 0; k < 3; ++k) {
         const double from = s.from[0] * s.c.of[0][k] + s.from[1] * s.c.of[1][k] + s.from[2] * s.c.of[2][k];
         const double reach = s.ha[0] * s.c.size[0][k] + s.ha[1] * s.c.size[1][k] + s.ha[2] * s.c.size[2][k];
-        const double gap = std::fabs(from) - (s.hb[k] + reach);
-        if (gap > best.gap) best = {gap, 3 + k, from};
+        out.from[3 + k] = from;
+        out.gap[3 + k] = std::fabs(from) - (s.hb[k] + reach);
     }
+    return out;
 }
 
-void try_edges(const Boxes& s, Best& best)
+/// 3 i + j for A's edge i and B's edge j, but those that are nearly parallel.
+Axes<10> edges(const Boxes& s)
 {
     constexpr int next[3] = {1, 2, 0}, last[3] = {2, 0, 1};
-    double least = best.gap * std::fabs(best.gap); // what squares are compared with
+    Axes<10> out;
+    double square[10]; // of the sine
     for (int i = 0; i < 3; ++i) {
         const int i1 = next[i], i2 = last[i];
         for (int j = 0; j < 3; ++j) {
-            const double square = 1 - s.c.of[i][j] * s.c.of[i][j];
             const double from = s.from[i2] * s.c.of[i1][j] - s.from[i1] * s.c.of[i2][j];
             const double reach =
                 (s.ha[i1] * s.c.size[i2][j] + s.ha[i2] * s.c.size[i1][j]) +
                 (s.hb[next[j]] * s.c.size[i][last[j]] + s.hb[last[j]] * s.c.size[i][next[j]]);
-            const double longer = std::fabs(from) - reach;             // the gap times the sine
-            if (longer * std::fabs(longer) < least * square) continue; // by far the most
-            if (square < tolerance::nearly_parallel) continue;
-            if (best.gap > 0 ? longer <= 0 || longer * longer <= best.gap * best.gap * square
-                             : longer < 0 && longer * longer >= best.gap * best.gap * square)
-                continue;
-            best = {longer / std::sqrt(square), 6 + 3 * i + j, from};
-            least = best.gap * std::fabs(best.gap);
+            square[3 * i + j] = 1 - s.c.of[i][j] * s.c.of[i][j];
+            out.from[3 * i + j] = from;
+            out.gap[3 * i + j] = std::fabs(from) - reach; // the gap times the sine
         }
     }
+    square[9] = 0;
+    out.gap[9] = 0;
+    for (int k = 0; k < 10; k += 2) {
+        const Two longer = load_two(&out.gap[k]), sines = load_two(&square[k]);
+        const TwoFlags known = sines >= both(tolerance::nearly_parallel);
+        const Two squares = select(known, longer * magnitude(longer) / sines, both(-infinity));
+        out.gap[k] = squares[0];
+        out.gap[k + 1] = squares[1];
+    }
+    return out;
 }
 
 V3 axis(const Core& c, int k) { return k == 0 ? c.axes.x : k == 1 ? c.axes.y : c.axes.z; }
@@ -119,13 +139,15 @@ BoxWitness over_face(const Core& box, V3 point)
 BoxAxis box_axis(const Core& a, const Core& b)
 {
     const Boxes s = boxes(a, b);
-    Best best;
-    try_faces(s, best);
-    try_edges(s, best);
-    if (best.index < 3) return {best.gap, facing(axis(a, best.index), best.side), best.index};
-    if (best.index < 6) return {best.gap, facing(axis(b, best.index - 3), best.side), best.index};
-    const V3 n = cross(axis(a, (best.index - 6) / 3), axis(b, (best.index - 6) % 3));
-    return {best.gap, facing((1 / norm(n)) * n, best.side), best.index};
+    const Axes<6> of_faces = faces(s);
+    const Axes<10> of_edges = edges(s);
+    const int k = of_faces.best(), e = of_edges.best();
+    const double gap = of_faces.gap[k], square = of_edges.gap[e];
+    if (!(square > gap * std::fabs(gap)))
+        return {gap, facing(k < 3 ? axis(a, k) : axis(b, k - 3), of_faces.from[k]), k};
+    const V3 n = cross(axis(a, e / 3), axis(b, e % 3));
+    const double root = std::sqrt(std::fabs(square));
+    return {square < 0 ? -root : root, facing((1 / norm(n)) * n, of_edges.from[e]), 6 + e};
 }
 
 Features box_features(const Core& a, const Core& b, int index)

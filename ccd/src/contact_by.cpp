@@ -35,25 +35,17 @@ Beside beside(const Course<Core>& course, V3 a, V3 b, double later)
     return {into(at.turn_b, at.turn_a * a - at.pivot_b) + f.b.pivot, into(at.turn_a, later_b), 0};
 }
 
-/// Whether the witness points, which go with their bodies, prove contact at a later time, or else four
-/// corners of the difference do.
-bool in_contact(Course<Core>& course, const Watch& watch, const Sight& sight, double later)
+/// Whether the witness points, which go with their bodies, prove contact at a later time.
+bool in_contact(const Course<Core>& course, const Sight& sight, double later)
 {
     const Facing<Core>& f = course.facing();
     const V3 on_b = sight.point_a + sight.v;
     const Beside gone = beside(course, sight.point_a, on_b, later);
     const double doubt = course.rounding + sight.astray + gone.doubt;
     if (course.radii > 0) return norm(on_b - gone.a) + doubt <= course.radii;
-    if (depth(f.b.part, gone.a) > doubt) return true;
-    if (depth(f.a.part, gone.b) > doubt) return true;
-    const double now = course.now();
-    course.go(later);
-    const bool proven = watch.overlap(f, course.rounding);
-    course.go(now);
-    return proven;
+    return depth(f.b.part, gone.a) > doubt || depth(f.a.part, gone.b) > doubt;
 }
-
-bool in_contact(Course<Border>& course, const BorderWatch&, const Sight&, double later)
+bool in_contact(Course<Border>& course, const Sight&, double later)
 {
     const double now = course.now();
     course.go(later);
@@ -61,6 +53,18 @@ bool in_contact(Course<Border>& course, const BorderWatch&, const Sight&, double
     course.go(now);
     return gap + course.rounding <= course.options.target_gap;
 }
+
+/// Whether four corners of the difference prove it, which takes longer.
+bool overlap(Course<Core>& course, const Watch& watch, double later)
+{
+    if (course.radii > 0) return false;
+    const double now = course.now();
+    course.go(later);
+    const bool proven = watch.overlap(course.facing(), course.rounding);
+    course.go(now);
+    return proven;
+}
+bool overlap(const Course<Border>&, const BorderWatch&, double) { return false; }
 
 template <class Part, class WatchOfPart>
 double proven_contact(Course<Part>& course, const WatchOfPart& watch, const Sight& sight)
@@ -70,12 +74,15 @@ double proven_contact(Course<Part>& course, const WatchOfPart& watch, const Sigh
         -trend(course.facing(), {n, sight.axis.spin}, sight.point_a, sight.point_a + sight.v).rate;
     const double gap = std::max(0.0, dot(sight.v, n) - course.radii);
     if (!(closing > 0)) return infinity;
-    for (const double deep :
-         {tolerance::shallow * course.rounding, 2 * course.tolerance + tolerance::deeper * course.rounding}) {
-        const double later = std::min(course.now() + 2 * (gap + deep) / closing, course.options.t_max);
-        if (in_contact(course, watch, sight, later)) return later;
-    }
-    return infinity;
+    const auto by = [&](double deep) {
+        return std::min(course.now() + 2 * (gap + deep) / closing, course.options.t_max);
+    };
+    const double soon = by(tolerance::shallow * course.rounding),
+                 later = by(2 * course.tolerance + tolerance::deeper * course.rounding);
+    if (in_contact(course, sight, soon)) return soon;
+    if (in_contact(course, sight, later)) return later;
+    if (overlap(course, watch, soon)) return soon;
+    return overlap(course, watch, later) ? later : infinity;
 }
 
 } // namespace

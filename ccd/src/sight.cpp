@@ -74,6 +74,7 @@ Sight Watch::look_at_boxes(const Facing<Core>& f)
     towards_ = best.normal;
     Sight s = follow(f);
     s.normal = best.normal;
+    s.apart = best.gap;
     if (best.gap > nearby_) return s;
     land(f, s);
     if (s.upper <= nearby_) return s;
