@@ -40,8 +40,8 @@ struct SupportPoint {
 
 SupportPoint farthest_of_hull(const Core&, const V3& d);
 
-/// The normal of a hull's face that looks most along d, not of unit length; zero where no face is known.
-V3 face_towards(const Core& hull, V3 d);
+/// The normal of the face of a hull that looks most along d, not of unit length; zero where no face is known.
+V3 face_towards(const Core& c, V3 d);
 
 static inline SupportPoint farthest_of_others(const Core& c, const V3& d)
 {
