@@ -156,7 +156,7 @@ TEST_CASE("corners: the features of two cores that GJK names, and they go with t
             CHECK(p.w == p.on_b - p.on_a);
             used.insert(p.in_a);
         }
-        const Feature feature = corners.feature_of_a(later_a);
+        const Feature feature = corners.features(s).of_a;
         const auto most = std::min<std::size_t>(used.size(), 3);
         CHECK(static_cast<std::size_t>(feature.kind) == most - 1);
         ++by_kind[most - 1];

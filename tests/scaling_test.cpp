@@ -114,7 +114,8 @@ Tally ask(Family family, std::uint64_t queries)
     for (const Pair& pair : all_pairs()) {
         if (pair.unbounded()) continue;
         for (std::uint64_t i = 0; i < queries; ++i) {
-            const Query q = query(pair, family, seed, i);
+            // Hulls from their vertices, as the scaled ones are: of other points they may have other faces.
+            const Query q = scaled(query(pair, family, seed, i), 0);
             const Toi toi = answer(q);
             ++tally.asked;
             tally.hits += toi.status == Status::hit ? 1U : 0U;

@@ -59,7 +59,7 @@ private:
     Trail trail_;
     bool first_ = true;
     int strides_ = 0;                     // without a look
-    std::optional<Leap> leap_;            // where steps lead to its start, what follows is proven
+    Leap leap_;                           // where steps lead to its start, what follows is proven
     const StartOracle* untold_ = nullptr; // of a start that no look has shown to be within the tolerance
 };
 
@@ -116,16 +116,15 @@ template <class Part> void Advance<Part>::go_on(const Step& step)
 template <class Part> bool Advance<Part>::can_leap()
 {
     const bool blind = trail_.followed > 0 || (first_ && !watch_.far_sighted());
-    if (blind || leap_ || course_.iterations > tolerance::most_leaps || spent()) return false;
-    leap_ = brink::leap(course_, watch_, sight_);
-    return leap_ && course_.now() == leap_->at;
+    if (blind || leap_.from < infinity || course_.iterations > tolerance::most_leaps || spent()) return false;
+    return brink::leap(course_, watch_, sight_, leap_) && course_.now() == leap_.at;
 }
 
 template <class Part> Toi Advance<Part>::land()
 {
-    if (leap_->at > course_.options.t_max) return course_.apart();
-    if (course_.now() != leap_->at) course_.go(leap_->at);
-    sight_ = leap_->sight;
+    if (leap_.at > course_.options.t_max) return course_.apart();
+    if (course_.now() != leap_.at) course_.go(leap_.at);
+    sight_ = leap_.sight;
     return arrived();
 }
 
@@ -150,7 +149,7 @@ template <class Part> Toi Advance<Part>::approach()
         if (!(step.gap > 0)) return nearly() ? arrived() : course_.answer(Status::undecided, contact());
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
-        if (leap_ && next >= leap_->from) return land();
+        if (next >= leap_.from) return land();
         if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
         if (spent()) return course_.answer(Status::undecided, contact());
         course_.go(next);

@@ -50,7 +50,7 @@ template <class Part> Step best_step(const Facing<Part>& f, const Sight& sight, 
     return best;
 }
 
-bool Trail::lost(const Step& step, const Facing<Core>& f, const Watch& watch, Sight& sight, double radii)
+bool Trail::lost(const Step& step, const Facing<Core>& f, Watch& watch, Sight& sight, double radii)
 {
     if (followed == 0) return false;
     const bool slow = !(step.gap > 0) || step.gap > tolerance::slow_step * last_gap;

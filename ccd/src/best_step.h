@@ -25,7 +25,7 @@ struct Trail {
     double last_gap = infinity; // at the last step
 
     /// Whether they have lost what touches first; lands them in `sight` where that is worth it.
-    bool lost(const Step&, const Facing<Core>&, const Watch&, Sight&, double radii);
+    bool lost(const Step&, const Facing<Core>&, Watch&, Sight&, double radii);
     /// Of a plane nothing can be lost.
     bool lost(const Step&, const Facing<Border>&, const BorderWatch&, const Sight&, double) const;
 };

@@ -149,22 +149,27 @@ double distance_bend(const Facing<Core>& f, V3 spin, double apart, double horizo
 template <class Part, class Do>
 auto with_bound(const Facing<Part>& f, const TurningAxis& axis, double horizon, Do go)
 {
+    const auto with = [&](auto bound_of) {
+        typename decltype(bound_of)::type bound(f, axis, horizon);
+        return go(bound);
+    };
     using enum Core::Kind;
     if constexpr (std::is_same_v<Part, Core>) {
         const Core::Kind a = f.a.part.kind, b = f.b.part.kind;
-        if (a == box && b == box) return go(Bound<Part, BoxShadow, BoxShadow>(f, axis, horizon));
-        if (a == segment && b == box) return go(Bound<Part, SegmentShadow, BoxShadow>(f, axis, horizon));
+        if (a == box && b == box) return with(std::type_identity<Bound<Part, BoxShadow, BoxShadow>>{});
+        if (a == segment && b == box)
+            return with(std::type_identity<Bound<Part, SegmentShadow, BoxShadow>>{});
         if (a == segment && b == segment)
-            return go(Bound<Part, SegmentShadow, SegmentShadow>(f, axis, horizon));
+            return with(std::type_identity<Bound<Part, SegmentShadow, SegmentShadow>>{});
     }
-    return go(Bound<Part>(f, axis, horizon));
+    return with(std::type_identity<Bound<Part>>{});
 }
 
 } // namespace
 
 template <class Part> Step safe_step(const Facing<Part>& f, const TurningAxis& axis, double horizon)
 {
-    return with_bound(f, axis, horizon, [](auto bound) -> Step {
+    return with_bound(f, axis, horizon, [](auto& bound) -> Step {
         Step step{bound.now().value, 0, 0};
         if (!(step.gap > 0)) return step;
         bound.bend_towards();

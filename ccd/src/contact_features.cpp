@@ -48,13 +48,11 @@ Feature edge_between(V3 p, V3 q)
 }
 
 /// The feature that one to four corners make; of a flat four, three will do.
-Feature feature(const Core& c, int count, const int* corners)
+Feature feature(int count, V3 p, V3 q, V3 r)
 {
-    const V3 p = corner(c, corners[0]);
     if (count == 1) return {};
-    const V3 q = corner(c, corners[1]);
     if (count >= 3) {
-        const V3 n = face_normal(p, q, corner(c, corners[2]));
+        const V3 n = face_normal(p, q, r);
         if (!(n == V3{})) return {face, (1 / norm(n)) * n};
     }
     return edge_between(p, q);
@@ -72,38 +70,45 @@ TurningAxis axis_between(const Feature& a, V3 rate_a, const Feature& b, V3 rate_
     return {facing(v, v), {}};
 }
 
-void Corners::Some::add(int k)
+void Corners::Some::add(const int* corners, int k)
 {
     for (int i = 0; i < count; ++i)
-        if (corner[i] == k) return;
-    corner[count++] = k;
+        if (corners[place[i]] == corners[k]) return;
+    place[count++] = k;
 }
 
 Corners::Corners(const Simplex& s)
 {
     for (int k = 0; k < s.size; ++k)
         if (s.corners[k].in_a < 0 || s.corners[k].in_b < 0) return;
-    for (int k = 0; k < s.size; ++k) {
-        in_a_[count_] = s.corners[k].in_a;
-        in_b_[count_++] = s.corners[k].in_b;
-        of_a_.add(s.corners[k].in_a);
-        of_b_.add(s.corners[k].in_b);
+    count_ = s.size;
+    for (int k = 0; k < count_; ++k) {
+        in_a_[k] = s.corners[k].in_a;
+        in_b_[k] = s.corners[k].in_b;
+        of_a_.add(in_a_, k);
+        of_b_.add(in_b_, k);
     }
 }
 
-Feature Corners::feature_of_a(const Core& a) const { return feature(a, of_a_.count, of_a_.corner); }
-Feature Corners::feature_of_b(const Core& b) const { return feature(b, of_b_.count, of_b_.corner); }
-
-V3 Corners::between(const Core& a, const Core& b) const { return corner(b, in_b_[0]) - corner(a, in_a_[0]); }
-
-Simplex Corners::simplex(const Core& a, const Core& b) const
+Features Corners::features(const Simplex& now) const
 {
-    Simplex s;
+    const auto on_a = [&](int i) { return now.corners[of_a_.place[i]].on_a; };
+    const auto on_b = [&](int i) { return now.corners[of_b_.place[i]].on_b; };
+    return {feature(of_a_.count, on_a(0), on_a(1), on_a(2)), feature(of_b_.count, on_b(0), on_b(1), on_b(2))};
+}
+
+void Corners::place(Simplex& s, const Core& a, const Core& b) const
+{
+    s.size = count_;
     for (int k = 0; k < count_; ++k) {
-        const V3 on_a = corner(a, in_a_[k]), on_b = corner(b, in_b_[k]);
-        s.add({on_b - on_a, on_a, on_b, in_a_[k], in_b_[k], 0});
+        Simplex::Corner& c = s.corners[k];
+        c.on_a = corner(a, in_a_[k]);
+        c.on_b = corner(b, in_b_[k]);
+        c.w = c.on_b - c.on_a;
+        c.in_a = in_a_[k];
+        c.in_b = in_b_[k];
+        c.weight = 0;
     }
-    return s;
 }
 
 } // namespace brink

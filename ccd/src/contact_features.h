@@ -31,18 +31,23 @@ public:
     explicit Corners(const Simplex&);
     /// Whether the simplex named corners on both sides.
     bool known() const { return count_ > 0; }
-    Feature feature_of_a(const Core& a) const;
-    Feature feature_of_b(const Core& b) const;
-    /// From a corner of A's feature to one of B's.
-    V3 between(const Core& a, const Core& b) const;
-    /// The same simplex where its corners are now.
-    Simplex simplex(const Core& a, const Core& b) const;
+    /// The features that they make, from the same simplex where its corners are now.
+    Features features(const Simplex& now) const;
+    /// That simplex.
+    Simplex simplex(const Core& a, const Core& b) const
+    {
+        Simplex s;
+        place(s, a, b);
+        return s;
+    }
+    void place(Simplex&, const Core& a, const Core& b) const;
 
 private:
+    /// The places in the simplex of those that differ.
     struct Some {
         int count = 0;
-        int corner[4] = {};
-        void add(int k);
+        int place[4] = {};
+        void add(const int* corners, int place);
     };
     Some of_a_, of_b_;
     int count_ = 0;

@@ -36,21 +36,22 @@ Ends extreme(const Facing<Border>&, const Sight& sight)
 
 template <class Part, class WatchOfPart> class Leaping {
 public:
-    Leaping(Course<Part>& course, WatchOfPart& watch, const Sight& seen)
-        : course_(course), watch_(watch), sight_(seen), start_(course.now())
+    Leaping(Course<Part>& course, WatchOfPart& watch, const Sight& seen, Leap& leap)
+        : course_(course), watch_(watch), leap_(leap), sight_(leap.sight), start_(course.now())
     {
+        sight_ = seen;
     }
 
-    std::optional<Leap> run()
+    bool run()
     {
-        if (sight_.axis.normal == V3{} || sight_.guessed) return {};
+        if (sight_.axis.normal == V3{} || sight_.guessed) return false;
         return watch_.can_glance() ? by_glances() : by_features();
     }
 
 private:
     /// Where a closed form tells the nearest points, by these: however their axis turns, the rate of their
     /// distance is the same.
-    std::optional<Leap> by_glances()
+    bool by_glances()
     {
         Glance glance;
         Guess last{course_.now(), nearing(sight_.normal, sight_.point_a, sight_.v)}, before = last;
@@ -73,7 +74,7 @@ private:
     }
 
     /// Else by the features of the last look, until another one shows what has come nearer.
-    std::optional<Leap> by_features()
+    bool by_features()
     {
         Ends ends = nearest();
         for (int i = 0; i < tolerance::most_guesses; ++i) {
@@ -117,10 +118,10 @@ private:
         ++course_.iterations;
         return true;
     }
-    std::optional<Leap> back()
+    bool back()
     {
         if (course_.now() != start_) course_.go(start_);
-        return {};
+        return false;
     }
     /// What the axis proves of the way from the start to here, within the tolerance of contact.
     Step way_back() const
@@ -129,31 +130,34 @@ private:
         const TurningAxis axis{sight_.axis.normal, -sight_.axis.spin};
         return safe_step(backwards(course_.facing()), axis, course_.now() - start_);
     }
-    std::optional<Leap> proven(const Step& step)
+    bool proven(const Step& step)
     {
         const double at = course_.now();
         sight_.axis_gap = step.gap + course_.facing().margin;
-        if (step.length >= at - start_) return Leap{start_, at, sight_};
-        course_.go(start_);
-        if (!(step.length > 0)) return {};
-        return Leap{at - step.length, at, sight_};
+        const bool whole = step.length >= at - start_;
+        if (!whole) course_.go(start_);
+        if (!(step.length > 0)) return false;
+        leap_.from = whole ? start_ : at - step.length;
+        leap_.at = at;
+        return true;
     }
 
     Course<Part>& course_;
     WatchOfPart& watch_;
-    Sight sight_;
+    Leap& leap_;
+    Sight& sight_;
     double start_;
 };
 
 } // namespace
 
 template <class Part, class WatchOfPart>
-std::optional<Leap> leap(Course<Part>& course, WatchOfPart& watch, const Sight& seen)
+bool leap(Course<Part>& course, WatchOfPart& watch, const Sight& seen, Leap& found)
 {
-    return Leaping<Part, WatchOfPart>(course, watch, seen).run();
+    return Leaping<Part, WatchOfPart>(course, watch, seen, found).run();
 }
 
-template std::optional<Leap> leap(Course<Core>&, Watch&, const Sight&);
-template std::optional<Leap> leap(Course<Border>&, BorderWatch&, const Sight&);
+template bool leap(Course<Core>&, Watch&, const Sight&, Leap&);
+template bool leap(Course<Border>&, BorderWatch&, const Sight&, Leap&);
 
 } // namespace brink

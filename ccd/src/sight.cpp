@@ -108,7 +108,7 @@ Sight Watch::look_by_gjk(const Facing<Core>& f, double relative)
     s.guessed = !corners_.known();
     s.axis = {c.normal, {}};
     if (!s.guessed) {
-        features_ = {corners_.feature_of_a(a), corners_.feature_of_b(b)};
+        features_ = corners_.features(c.simplex);
         s.axis = axis_of(f, features_, c.v, towards_);
     }
     return s;
@@ -136,24 +136,24 @@ Sight Watch::follow(const Facing<Core>& f)
         features_ = box_features(a, b, box_index_);
         s.axis = axis_of(f, features_, towards_, towards_);
     } else {
-        features_ = {corners_.feature_of_a(a), corners_.feature_of_b(b)};
-        s.axis = axis_of(f, features_, corners_.between(a, b), towards_);
+        corners_.place(followed_, a, b);
+        features_ = corners_.features(followed_);
+        s.axis = axis_of(f, features_, followed_.corners[0].w, towards_);
     }
     return s;
 }
 
-void Watch::land(const Facing<Core>& f, Sight& s) const
+void Watch::land(const Facing<Core>& f, Sight& s)
 {
     if (method_ == Method::boxes) {
         const BoxWitness w = box_witness(f.a.part, f.b.part, box_index_, s.axis.normal);
         s.point_a = w.point_a;
         s.v = w.v;
     } else {
-        Simplex simplex = corners_.simplex(f.a.part, f.b.part);
-        simplex.reduce();
-        if (simplex.size == 4) return;
-        s.point_a = simplex.on_a();
-        s.v = simplex.point();
+        followed_.reduce();
+        if (followed_.size == 4) return;
+        s.point_a = followed_.on_a();
+        s.v = followed_.point();
     }
     s.upper = norm(s.v);
 }

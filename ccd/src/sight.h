@@ -70,8 +70,8 @@ public:
     Sight follow(const Facing<Core>&);
     /// Those features where they were last seen or followed.
     const Features& features() const { return features_; }
-    /// Fills in the nearest points of those features.
-    void land(const Facing<Core>&, Sight&) const;
+    /// Fills in the nearest points of those features where they were last followed.
+    void land(const Facing<Core>&, Sight&);
 
     /// Whether four corners of the difference hold the origin that deep, which proves that the cores overlap.
     bool overlap(const Facing<Core>&, double depth) const;
@@ -88,6 +88,7 @@ private:
     int box_index_ = 0; // the axis last seen
     V3 towards_;        // the normal last seen
     Features features_; // unless glances tell them
+    Simplex followed_;  // of those corners where they were last followed
 };
 
 /// Looks at a body and a plane or half-space, which takes no more than support points.

@@ -17,7 +17,12 @@ constexpr int most_rounds = 128;
 void put_corner_towards_origin(Simplex::Corner& c, const Core& a, const Core& b, V3 v)
 {
     const SupportPoint on_a = farthest(a, v), on_b = farthest(b, -v);
-    c = {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
+    c.w = on_b.point - on_a.point;
+    c.on_a = on_a.point;
+    c.on_b = on_b.point;
+    c.in_a = on_a.corner;
+    c.in_b = on_b.corner;
+    c.weight = 1;
 }
 
 /// The different corners of one core that a simplex uses.
@@ -80,7 +85,8 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
 {
     Closest c;
     Simplex& s = c.simplex;
-    s = start;
+    s.size = start.size;
+    std::copy_n(start.corners, start.size, s.corners);
     if (s.size == 0) put_corner_towards_origin(s.corners[s.size++], a, b, middle(b) - middle(a));
     const Simplex::Needed at_first = s.nearest(Simplex::Origin::anywhere);
     c.inside = at_first.count == 4;
@@ -95,6 +101,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         if (lower > c.lower) c.lower = lower, c.normal = inverse * c.v;
         if (distance - lower <= near.slack + near.relative * std::max(0.0, distance - near.reach)) {
             const double enough = near.slack + near.relative * distance;
+            s.weigh_all();
             c.certain = weighed(s, c.v, enough) <= enough;
             c.lower = lower;
             c.normal = inverse * c.v;
@@ -102,6 +109,9 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
             return c;
         }
         if (s.contains(corner)) break;
+        const Simplex::Taken taken = s.take_in(c.v);
+        if (taken == Simplex::Taken::nearer) continue;
+        if (taken == Simplex::Taken::no_nearer) break;
         ++s.size;
         const Simplex::Needed next =
             s.nearest(lower > near.slack ? Simplex::Origin::outside : Simplex::Origin::anywhere);
@@ -118,7 +128,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         s.keep(next);
         c.v = v;
     }
-    if (!c.inside) weighed(s, c.v, near.slack);
+    if (!c.inside) s.weigh_all(), weighed(s, c.v, near.slack);
     c.point_a = s.on_a();
     if (!c.inside) confirm(c, a, b, feature_normal(s, c.v), near.slack);
     return c;

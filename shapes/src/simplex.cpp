@@ -84,6 +84,84 @@ Needed nearest_of_four(const Corner* c, bool all)
     return best.count == 0 ? Needed{4, {0, 1, 2, 3}, {}} : best;
 }
 
+/// Where the origin comes nearest to the edges and faces of the newest of two to four corners, and which of
+/// the others that needs.
+class NearNewest {
+public:
+    NearNewest(const Corner* c, int newest) : c_(c), newest_(c[newest].w)
+    {
+        bool past = false;
+        for (int k = 0; k < newest; ++k) {
+            way_[k] = c[k].w - newest_;
+            past_[k] = -dot(way_[k], newest_);
+            past = past || past_[k] > 0;
+        }
+        if (!past) {
+            keep(newest_, 0);
+        } else if (newest == 1) {
+            edge(0);
+        } else if (newest == 2) {
+            face(0, 1, cross(way_[0], way_[1]));
+        } else {
+            faces();
+        }
+    }
+
+    bool plain = true;
+    V3 v;
+    double square = infinity;
+    int count = 0; // of the others
+    int first = 0, second = 0;
+
+private:
+    void keep(V3 nearest, int others, int i = 0, int j = 0)
+    {
+        const double s = norm_squared(nearest);
+        if (!(s < square)) return;
+        v = nearest, square = s, count = others, first = i, second = j;
+    }
+    void edge(int k)
+    {
+        const V3 e = way_[k];
+        if (!(dot(c_[k].w, e) > 0)) {
+            plain = false;
+            return;
+        }
+        const double inverse = 1 / norm_squared(e);
+        const V3 foot = newest_ + (past_[k] * inverse) * e;
+        // Once more: what rounding left along the edge would tilt a short vector.
+        keep(foot - (dot(foot, e) * inverse) * e, 1, k);
+    }
+    /// As nearest() of three, but for the edge and the corners that the newest one is not of.
+    void face(int i, int j, V3 n)
+    {
+        const V3 m = cross(n, newest_);
+        const double area_j = dot(m, way_[i]), area_i = -dot(m, way_[j]);
+        if (area_j <= 0 && past_[i] > 0) return edge(i);
+        if (area_i <= 0 && past_[j] > 0) return edge(j);
+        const double all = norm_squared(n);
+        if (!(area_i > 0 && area_j > 0 && area_i + area_j < all)) {
+            plain = false;
+            return;
+        }
+        keep((dot(n, newest_) / all) * n, 2, i, j);
+    }
+    void faces()
+    {
+        const V3 ab = cross(way_[0], way_[1]), bc = cross(way_[1], way_[2]), ca = cross(way_[2], way_[0]);
+        const double volume = dot(ab, way_[2]);
+        if (dot(ab, newest_) * volume > 0) face(0, 1, ab);
+        if (dot(bc, newest_) * volume > 0) face(1, 2, bc);
+        if (dot(ca, newest_) * volume > 0) face(2, 0, ca);
+        plain = plain && square < infinity; // else the origin is inside
+    }
+
+    const Corner* c_;
+    V3 newest_;
+    V3 way_[3];      // to the others
+    double past_[3]; // how far the origin is along these, times their lengths
+};
+
 } // namespace
 
 V3 Simplex::point() const
@@ -114,6 +192,42 @@ V3 Simplex::nearest_point(const Needed& n) const
     const double square = norm_squared(normal);
     if (square > 0) return (dot(normal, a) / square) * normal;
     return n.weight[0] * a + n.weight[1] * b + n.weight[2] * c;
+}
+
+Simplex::Taken Simplex::take_in(V3& v)
+{
+    const NearNewest near(corners, size);
+    if (!near.plain) return Taken::unclear;
+    if (!(near.square < norm_squared(v))) return Taken::no_nearer;
+    v = near.v;
+    const Corner& newest = corners[size];
+    if (near.count == 0) {
+        corners[0] = newest;
+    } else if (near.count == 1) {
+        if (near.first == 2) corners[1] = corners[2];
+        if (const int free = near.first == 0 ? 1 : 0; free != size) corners[free] = newest;
+    } else if (size == 3) {
+        corners[3 - near.first - near.second] = newest;
+    }
+    size = near.count + 1;
+    return Taken::nearer;
+}
+
+void Simplex::weigh_all()
+{
+    if (size == 3) {
+        const V3 a = corners[0].w, b = corners[1].w, c = corners[2].w, n = cross(b - a, c - a);
+        const double area_a = dot(n, cross(b, c)), area_b = dot(n, cross(c, a)), area_c = dot(n, cross(a, b));
+        const double sum = area_a + area_b + area_c;
+        if (!(area_a > 0 && area_b > 0 && area_c > 0)) return reduce();
+        corners[0].weight = area_a / sum;
+        corners[1].weight = area_b / sum;
+        corners[2].weight = area_c / sum;
+    } else if (size == 1) {
+        corners[0].weight = 1;
+    } else {
+        reduce();
+    }
 }
 
 void Simplex::weigh(V3 point)
@@ -164,7 +278,7 @@ V3 Simplex::on_a() const
 bool Simplex::contains(const Corner& c) const
 {
     for (int k = 0; k < size; ++k)
-        if (corners[k].w == c.w && corners[k].in_a == c.in_a && corners[k].in_b == c.in_b) return true;
+        if (corners[k].in_a == c.in_a && corners[k].in_b == c.in_b && corners[k].w == c.w) return true;
     return false;
 }
 

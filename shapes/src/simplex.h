@@ -16,7 +16,9 @@ struct Simplex {
         double weight = 0;
     };
     int size = 0;
-    Corner corners[4];
+    union { // so that those beyond `size` are not cleared
+        Corner corners[4];
+    };
 
     Simplex() {} // NOLINT(modernize-use-equals-default): as in Core
 
@@ -43,8 +45,17 @@ struct Simplex {
     /// That point from the line or plane of its corners: true in direction where it is short, while the
     /// rounding of the weights tilts it.
     [[nodiscard]] V3 nearest_point(const Needed&) const;
+    /// Weights for the point nearest to the origin of up to three corners, where that is likely to need them
+    /// all: the same as reduce(), sooner.
+    void weigh_all();
     /// Weights for a point in the plane of three corners, as true where they are a sliver as elsewhere.
     void weigh(V3 point);
+    /// What a newest corner brings.
+    enum class Taken : unsigned char { nearer, no_nearer, unclear };
+    /// Takes the newest corner, the one past `size`, in beside those of which the nearest point `v` needs
+    /// every one: it leaves what the nearest point needs then, and that in `v`. Weights wait until someone
+    /// asks. Where rounding or an origin inside leave no plain answer it changes nothing.
+    [[nodiscard]] Taken take_in(V3& v);
     /// Leaves only those corners.
     void keep(const Needed&);
     /// Both at once.
