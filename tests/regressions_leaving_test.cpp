@@ -159,3 +159,49 @@ TEST_CASE("regression: out of near contact that is none, in steps of rounding")
                Vec3(0x1.32b49ac7fd711p-1, -0x1.f6ee2b84904p-6, -0x1.c8c1b7026ad48p-4)},
         Options{1, 0x1.0f37d5f203e5bp+1, 0, StartContact::ignore_if_separating, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: contact at the start in doubt, which nothing proves to end, is touching")
+{
+    // Was a `hit` at 0: its gap is -2e-14, which rounding hid, and falls.
+    check(Query{
+        Sphere{0x1.d3c11f387a02bp-1},
+        Motion{Pose{Vec3(-0x1.64007a80daf6p-2, -0x1.20ffbf7e04206p-3, -0x1.994323e0a0d6fp-2),
+                    Quat(0x1.c2d2800081a53p-2, 0x1.ea12aa245c016p-2, 0x1.cae0232da2ec8p-2,
+                         0x1.3a15b616a03eep-1)},
+               Vec3(0x1.94d2634ede82ep-5, 0x1.d1397253e2017p-3, -0x1.567a1e45513dap-4), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Hull::from_points(
+            std::vector<Vec3>{Vec3(0x1.66ebe8e45bbe1p-1, -0x1.13b81e6ad39f6p-4, 0x1.6b7fbd68d99b4p-1),
+                              Vec3(-0x1.510703b38de2fp-3, 0x1.f1740cb74ad3dp-1, 0x1.5c5dfc44e8fbp-3),
+                              Vec3(0x1.6634f65704ap-1, 0x1.2d9ba1edb38d9p-1, -0x1.9e13243d4c333p-2),
+                              Vec3(0x1.497701b810a0bp-2, -0x1.6ed9bc34484c7p-1, 0x1.3ce754bc211c9p-1),
+                              Vec3(0x1.d0816f0c380c2p-1, 0x1.a76556f6b042fp-2, -0x1.3c3b2e8b9e125p-4)}),
+        Motion{Pose{Vec3(0, 0, 0), Quat(1, 0, 0, 0)},
+               Vec3(-0x1.2c2540e1f2d24p-6, -0x1.58edf881adf53p-4, 0x1.fbd7c8220e398p-6),
+               Vec3(0x1.3250784aeeb2p-1, 0x1.d0f0e795c493cp-2, 0x1.8e993fc54ebdcp+1), Vec3(0, 0, 0)},
+        Options{1, 0, 0x1.19799812dea11p-40, StartContact::ignore_if_separating, Detail::contact, 256}});
+    // Was a `hit` at 6e-15 for the same reason.
+    check(
+        Query{Box{Vec3(0x1.f89d978cf412ap-3, 0x1.09a923a6f9bc8p+0, 0x1.0c817241e7d3ep-1)},
+              Motion{Pose{Vec3(-0x1.7887ec5a3b45fp+0, -0x1.c81e1462b9cabp+1, 0x1.2b8ddc17b4e87p-1),
+                          Quat(0x1.dcdf34a9d306fp-2, -0x1.c4cfa370e9f23p-4, 0x1.936036b0cdc9bp-6,
+                               0x1.c15da98047b0bp-1)},
+                     Vec3(0, 0, 0), Vec3(-0x1.af1cb5fb7a643p+0, -0x1.20b2e159bd9fdp+1, 0x1.f8cc40a22711bp-1),
+                     Vec3(-0x1.08b45eeae117p-3, 0x1.714933139758cp-2, -0x1.16fb5833f087ap-1)},
+              Cone{0x1.6e66785346aa2p-11, 0x1.1765002f8736p-2},
+              Motion{Pose{Vec3(0x1.35b4dd2ac963ap-1, -0x1.15a7ccee7cd4cp-1, 0x1.eed58beef1774p-2),
+                          Quat(1, 0, 0, 0)},
+                     Vec3(0, 0, 0), Vec3(0x1.3f673a2e2aa5fp-2, 0x1.af76baf4400bbp-3, -0x1.1d98a234b877dp-2),
+                     Vec3(0x1.342a0476c209ap-2, -0x1.12663dbe21146p-2, 0x1.2de6547d1798p-3)},
+              Options{1, 0x1.2bee1ea502cf3p+1, 0, StartContact::ignore_if_separating, Detail::contact, 256}});
+    // Was a `hit` at 0 with a gap of 0.
+    check(Query{
+        Triangle{Vec3(-1, 0x1p-1, -0x1.8p+0), Vec3(-0x1.8p+0, 1, -0x1.8p-1),
+                 Vec3(-0x1p-2, -0x1.8p-1, 0x1.8p+0)},
+        Motion{Pose{Vec3(-1, 0x1.8p+0, -1), Quat(1, 0, 0, 0)}, Vec3(0, -0x1.ep+1, 0x1.2p+1), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Cylinder{0x1p-2, 0x1.8p+0},
+        Motion{Pose{Vec3(-2, -0x1p-1, 0x1.8p-1), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating, Detail::contact, 256}});
+}

@@ -233,3 +233,21 @@ TEST_CASE("regression: a gap at the start that rounding hides, of which the refe
                Vec3(-0x1.1efba4f831f54p-1, 0x1.f3da49a7b40eep-2, -0x1.31725c0a10562p-3)},
         Options{1, 0x1.4ef48cc72185ap+0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: curved surfaces, whose simplices are slivers, are as near as is told")
+{
+    // Was a hit 5.4e-11 early.
+    check(Query{
+        Capsule{Vec3(0x1.65edaaf0b641ep-1, -0x1.7b295342bad28p-2, -0x1.91a3dc58905a6p-1),
+                Vec3(0x1.65edaaf0b641ep-1, -0x1.7b295342bad28p-2, -0x1.91a3dc58905a6p-1),
+                0x1.025307d53348ap-2},
+        Motion{Pose{Vec3(0x1.7b333901feb7cp+1, 0x1.f154ee501019p+0, 0x1.2d12de4c9ec9p+1), Quat(1, 0, 0, 0)},
+               Vec3(-0x1.4752a1b404bf7p+1, -0x1.430a06eaf527cp+0, -0x1.5319a5b08137ap+0),
+               Vec3(0x1.af7613c302292p-5, 0x1.568256f9e8a84p-5, 0x1.8dd17ea53626cp-4),
+               Vec3(0x1.312c8565a0178p-2, -0x1.200a232fa88bcp-2, 0x1.016d984566777p-1)},
+        Cylinder{0x1.309b404093d26p+0, 0x1.dc68dcc6c8842p-1},
+        Motion{Pose{Vec3(-0x1.93256b9829148p-2, 0x1.1faa0a7111c92p-1, 0x1.34e08dfac265cp-2),
+                    Quat(0x1.3d3bd8p-2, 0x1.108a9p-1, 0x1.fcce8ep-3, -0x1.7ec966p-1)},
+               Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
+        Options{1, 0x1.8dac543935071p-13, 0, StartContact::report, Detail::contact, 256}});
+}

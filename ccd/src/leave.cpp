@@ -128,6 +128,7 @@ private:
     double gap(const Separation& s) const { return s.gap - course_.options.target_gap; }
     bool fell_back();
     bool long_watched() const;
+    bool out_of_doubt() const { return gap(highest_) > tolerance::shown * course_.rounding; }
     double step_away() const;
     double step_in_contact() const;
     double coast(double step, double t_end);
@@ -248,8 +249,8 @@ template <class Part> std::optional<Toi> Leaving<Part>::run()
         const bool deep = blind_ && !apart_ && gap() < -tolerance;
         double step = fell_back() || long_watched() ? 0 : deep ? step_in_contact() : step_away();
         if (step == 0) {
+            if (!blind_ && !(apart_ && out_of_doubt())) return touching();
             if (apart_) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
-            if (!blind_) return touching();
             step = step_in_contact();
         }
         const std::optional<Toi> end = move(step, blind_ ? t_max : 1);

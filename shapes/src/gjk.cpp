@@ -79,10 +79,19 @@ double weighed(Simplex& s, V3 nearest, double enough)
     return norm(s.point() - nearest);
 }
 
+/// Finds the weights, and the nearest point as true as can be, that rounds with corners have left out.
+void settle(Closest& c)
+{
+    c.simplex.weigh_all();
+    c.v = c.simplex.nearest_point();
+}
+
 } // namespace
 
 Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
 {
+    // The simplices of curved surfaces are slivers: each round needs a nearest point as true as can be.
+    const bool has_corners = is_polytope(a) && is_polytope(b);
     Closest c;
     Simplex& s = c.simplex;
     s.size = start.size;
@@ -98,20 +107,27 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         Simplex::Corner& corner = s.corners[s.size]; // counted as soon as it is needed
         put_corner_towards_origin(corner, a, b, c.v);
         const double inverse = 1 / distance, lower = inverse * dot(c.v, corner.w);
-        if (lower > c.lower) c.lower = lower, c.normal = inverse * c.v;
-        if (distance - lower <= near.slack + near.relative * std::max(0.0, distance - near.reach)) {
+        const V3 axis = inverse * c.v;
+        if (lower > c.lower) c.lower = lower, c.normal = axis;
+        const auto far = [&](double upper) {
+            return upper - lower > near.slack + near.relative * std::max(0.0, upper - near.reach);
+        };
+        if (!far(distance)) {
             const double enough = near.slack + near.relative * distance;
-            s.weigh_all();
+            if (has_corners) settle(c);
+            if (has_corners && far(norm(c.v))) break; // of a sliver
             c.certain = weighed(s, c.v, enough) <= enough;
             c.lower = lower;
-            c.normal = inverse * c.v;
+            c.normal = axis;
             c.point_a = s.on_a();
             return c;
         }
         if (s.contains(corner)) break;
-        const Simplex::Taken taken = s.take_in(c.v);
-        if (taken == Simplex::Taken::nearer) continue;
-        if (taken == Simplex::Taken::no_nearer) break;
+        if (has_corners) {
+            const Simplex::Taken taken = s.take_in(c.v);
+            if (taken == Simplex::Taken::nearer) continue;
+            if (taken == Simplex::Taken::no_nearer) break;
+        }
         ++s.size;
         const Simplex::Needed next =
             s.nearest(lower > near.slack ? Simplex::Origin::outside : Simplex::Origin::anywhere);
@@ -128,9 +144,12 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         s.keep(next);
         c.v = v;
     }
-    if (!c.inside) s.weigh_all(), weighed(s, c.v, near.slack);
+    if (!c.inside) {
+        if (has_corners) settle(c);
+        weighed(s, c.v, near.slack);
+        confirm(c, a, b, feature_normal(s, c.v), near.slack);
+    }
     c.point_a = s.on_a();
-    if (!c.inside) confirm(c, a, b, feature_normal(s, c.v), near.slack);
     return c;
 }
 

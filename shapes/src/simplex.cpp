@@ -213,6 +213,14 @@ Simplex::Taken Simplex::take_in(V3& v)
     return Taken::nearer;
 }
 
+V3 Simplex::nearest_point() const
+{
+    Needed all{size, {0, 1, 2}, {}};
+    for (int k = 0; k < size; ++k)
+        all.weight[k] = corners[k].weight;
+    return nearest_point(all);
+}
+
 void Simplex::weigh_all()
 {
     if (size == 3) {

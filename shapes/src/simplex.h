@@ -45,6 +45,8 @@ struct Simplex {
     /// That point from the line or plane of its corners: true in direction where it is short, while the
     /// rounding of the weights tilts it.
     [[nodiscard]] V3 nearest_point(const Needed&) const;
+    /// The same where it needs all of up to three.
+    [[nodiscard]] V3 nearest_point() const;
     /// Weights for the point nearest to the origin of up to three corners, where that is likely to need them
     /// all: the same as reduce(), sooner.
     void weigh_all();
