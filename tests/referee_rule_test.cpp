@@ -191,3 +191,25 @@ TEST_CASE("turning referee: every bracket is narrow and holds what long double f
     }
     CHECK(looked > 200);
 }
+
+TEST_CASE("turning referee: its axes across a needle's edges are at right angles to the longer one")
+{
+    const Query q{
+        Box{Vec3(0x1.82cfbc864528bp-10, 0x1.0539aea7a7baep-3, 0x1.374560a2b284ap-11)},
+        Motion{Pose{Vec3(-0x1.448ec7907d07p-3, -0x1.396333489ab96p-2, 0x1.83d47fae48c7p-1),
+                    Quat(-0x1.7ffd945fb1259p-8, -0x1.165866bc31173p-2, -0x1.e2fa057bcbd74p-1,
+                         -0x1.85dcb581ab3bap-3)},
+               Vec3(-0x1.24e24157a86c6p-4, 0x1.f4e5137ea6e39p+0, 0x1.0c591608694e5p-5),
+               Vec3(0x1.212dcae803b0fp-3, 0x1.2dcf99b3d657bp-2, 0x1.e0bb80a3a3779p-4),
+               Vec3(-0x1.82cfbc864528bp-10, -0x1.0539aea7a7baep-3, 0x1.374560a2b2849p-11)},
+        Triangle{Vec3(-0x1.605fd228e8a7fp-26, -0x1.67f64bd1d62dp+0, -0x1.605fd228e8a7fp-26),
+                 Vec3(0x1.605fd228e8a7fp-26, 0x1.67f64bd1d62dp+0, 0x1.605fd228e8a7fp-26),
+                 Vec3(0x1.605fd228e8a7fp-26, -0x1.605fd228e8a7fp-26, 0x1.605fd228e8a7fp-26)},
+        Motion{Pose{Vec3(-0x1.461784166471p-4, -0x1.8164a0322bcep-3, 0x1.9fa65113df3cep-1),
+                    Quat(-0x1.7ffd945fb1259p-8, -0x1.165866bc31173p-2, -0x1.e2fa057bcbd74p-1,
+                         -0x1.85dcb581ab3bap-3)},
+               Vec3(-0x1.24d93122cfe8p-4, 0x1.f4e4ac346865ep+0, 0x1.0c4aa01f4cd4p-5), Vec3(0, 0, 0),
+               Vec3(-0x1.1a5f5b5693b32p+0, 0x1.18db44ddd987cp-1, 0x1.3691298c8c87p+0)},
+        Options{0x1.43962911cf9edp-1, 0, 0, StartContact::ignore_if_separating, Detail::contact, 256}};
+    CHECK(rule(q, answer(q)).findings.empty()); // was ruled to overlap by 2e-13
+}

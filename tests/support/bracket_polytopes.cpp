@@ -54,6 +54,16 @@ void keep_edges(Keeper<T>& keeper, const Vector<T>& p, const Vector<T>& u, const
     keeper.keep(p + s * u, q + t * v);
 }
 
+/// u x v, at right angles to the longer of the two as nearly as to the other: along that one, what rounding
+/// leaves of a needle's tilts the normal over all of its length.
+template <class T> Vector<T> common_normal(const Vector<T>& u, const Vector<T>& v)
+{
+    const Vector<T> n = cross(u, v);
+    const Vector<T> longer = dot(u, u) < dot(v, v) ? v : u;
+    const T square = dot(longer, longer);
+    return square > 0 ? Vector<T>(n - T(dot(n, longer) / square) * longer) : n;
+}
+
 /// The foot of a corner on a face, where it lies in the face.
 template <class T> struct Panel {
     Vector<T> at, u, v, normal;
@@ -64,7 +74,7 @@ template <class T> struct Panel {
         : at(body.corners[face.at]),
           u(body.corners[face.u] - at),
           v(body.corners[face.v] - at),
-          normal(cross(u, v)),
+          normal(common_normal(u, v)),
           weight(dot(normal, normal)),
           whole(face.whole)
     {
@@ -133,8 +143,8 @@ template <class T> Depth<T> separating_axis(const Placement<T>& a, const Placeme
     for (const auto& edge_a : a.solid->edges)
         for (const auto& edge_b : b.solid->edges)
             best = keep_axis(best, a, b,
-                             cross(a.corners[edge_a.to] - a.corners[edge_a.from],
-                                   b.corners[edge_b.to] - b.corners[edge_b.from]));
+                             common_normal<T>(a.corners[edge_a.to] - a.corners[edge_a.from],
+                                              b.corners[edge_b.to] - b.corners[edge_b.from]));
     return best;
 }
 
