@@ -47,7 +47,7 @@ private:
     struct Some {
         int count = 0;
         int place[4] = {};
-        void add(const int* corners, int place);
+        void add(const int* corners, int k);
     };
     Some of_a_, of_b_;
     int count_ = 0;
