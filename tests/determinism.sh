@@ -26,16 +26,16 @@ side_by_side() { # <file of commands>
     xargs -a "$1" -d '\n' -P "$(nproc)" -n 1 bash -c || { echo "determinism.sh: a command failed" && exit 1; }
 }
 
-# The library's sources one by one, as CMake compiles them, or many as one, which leaves an optimizer more to fuse; but
-# for Eigen and the public headers, which are parsed once.
-library() { # <object folder> <compiler and flags> <sources>
+# The library's sources many as one, which leaves an optimizer more to fuse and is sooner done, or with `all` one by one,
+# as CMake compiles them; but for Eigen and the public headers, which are parsed once.
+library() { # <object folder> <compiler and flags>
     local header=$scratch/$1/public.h suffix=gch own source
     own=$(own_flags "$2")
     [[ $2 != clang* ]] || suffix=pch
     mkdir -p "$scratch/$1"
     printf '#include <%s>\n' brink/ccd.h algorithm array cmath > "$header"
     echo "$2 $own $language -x c++-header $header -o $header.$suffix" >> "$scratch/headers"
-    for source in $3; do
+    for source in $sources; do
         compile "$1" "$2 $own -Ishapes/src -Iccd/src -include $header" "$source"
     done
 }
@@ -64,26 +64,28 @@ build() { # <name> <queries> <linker> <folders of program, library and generator
 }
 
 one_by_one=$(ls shapes/src/*.cpp ccd/src/*.cpp | grep -v _qhull) # hulls that keep all their points
-many_as_one=$(bash tests/batches.sh "$scratch/batches" $one_by_one | grep -vxFf - <(printf '%s\n' $one_by_one)
-    ls "$scratch"/batches/*.cpp)
-[ "${1:-}" != all ] || many_as_one=$one_by_one
+sources=$one_by_one
+[ "${1:-}" = all ] || sources=$(
+    bash tests/batches.sh "$scratch/batches" $one_by_one | grep -vxFf - <(printf '%s\n' $one_by_one)
+    ls "$scratch"/batches/*.cpp
+)
 
-variant() { # <folder> <compiler> <flags> <queries> <generator> <sources>: library and program alike
-    library "library-$1" "$2 $3" "$6"
+variant() { # <folder> <compiler> <flags> <queries> <generator>: library and program alike
+    library "library-$1" "$2 $3"
     program "program-$1" "$2 $3"
     build "$2 $3" "$4" "$2" "program-$1" "library-$1" "$5"
 }
 few=20000 all=20000
 [ "${1:-}" != all ] || all=1000000
 generator generator-g "g++ -O2" library-g2
-variant g2 g++ "-O2" $all generator-g "$one_by_one"
-variant g0 g++ "-O0" $few generator-g "$many_as_one"
-variant g3native g++ "-O3 -march=native" $all generator-g "$many_as_one"
-variant clang3native clang++ "-O3 -march=native" $all generator-g "$many_as_one"
+variant g2 g++ "-O2" $all generator-g
+variant g0 g++ "-O0" $few generator-g
+variant g3native g++ "-O3 -march=native" $all generator-g
+variant clang3native clang++ "-O3 -march=native" $all generator-g
 if [ $all != $few ]; then # else determinism_test, in a build with g++ -O3 and in one with clang++
     generator generator-clang "clang++ -O2" library-clang2
-    variant g3 g++ "-O3 -march=x86-64" $few generator-g "$one_by_one"
-    variant clang2 clang++ "-O2" $few generator-clang "$one_by_one"
+    variant g3 g++ "-O3 -march=x86-64" $few generator-g
+    variant clang2 clang++ "-O2" $few generator-clang
 fi
 # The user's inline Eigen code is linked before the library's: where neither inlines it, the library runs the user's.
 program user0native "g++ -O0 -march=native"
