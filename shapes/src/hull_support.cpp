@@ -3,6 +3,8 @@
 #include "lanes.h"
 #include "support.h"
 
+#include <cstddef>
+
 namespace brink {
 
 namespace {
@@ -76,8 +78,9 @@ int scan(const HullData& h, V3 d)
     const __m256d point = _mm256_set1_pd(four.x[k % 4]) * load_three(c.axes.x) +
                           _mm256_set1_pd(four.y[k % 4]) * load_three(c.axes.y) +
                           _mm256_set1_pd(four.z[k % 4]) * load_three(c.axes.z) + load_three(c.centre);
+    static_assert(sizeof(SupportPoint) == sizeof point && offsetof(SupportPoint, point) == 0);
     SupportPoint top;
-    _mm256_storeu_pd(&top.point.x, point);
+    _mm256_storeu_pd(reinterpret_cast<double*>(&top), point); // the fourth falls on `corner`
     top.corner = k;
     return top;
 }
