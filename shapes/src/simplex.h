@@ -55,8 +55,9 @@ struct Simplex {
     /// What a newest corner brings.
     enum class Taken : unsigned char { nearer, no_nearer, unclear };
     /// Takes the newest corner, the one past `size`, in beside those of which the nearest point `v` needs
-    /// every one: it leaves what the nearest point needs then, and that in `v`. Weights wait until someone
-    /// asks. Where rounding or an origin inside leave no plain answer it changes nothing.
+    /// every one: it leaves what the nearest point needs then, and that in `v`, less true than
+    /// nearest_point() tells it of a sliver. Weights wait until someone asks. Where rounding or an origin
+    /// inside leave no plain answer it changes nothing.
     [[nodiscard]] Taken take_in(V3& v);
     /// Leaves only those corners.
     void keep(const Needed&);
