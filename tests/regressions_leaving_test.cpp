@@ -205,3 +205,24 @@ TEST_CASE("regression: contact at the start in doubt, which nothing proves to en
                Vec3(0, 0, 0)},
         Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore_if_separating, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: near contact that points say is farther than planes prove")
+{
+    // Was late by 1.4e-15: 6e-14 apart and nearing, it took a step over which the gap was proven to stay
+    // above -7e-14.
+    check(Query{Triangle{Vec3(0x1.e9632f4f05142p-1, 0x1.216349282d3a2p-1, 0x1.accea1b8eba8p-3),
+                         Vec3(-0x1.ca3e140d51c12p-1, -0x1.97bc7d95bc636p-1, 0x1.35d8391c8b689p+0),
+                         Vec3(-0x1.39708d99d8594p-1, -0x1.2d3649b2f6a93p-1, 0x1.0eb0719dbc034p+0)},
+                Motion{Pose{Vec3(0x1.5ae9c959f4c3p-6, -0x1.9a0b664801bf4p-4, 0x1.797efc46c132ep-2),
+                            Quat(0x1.6a09e667f3bcdp-1, 0, 0, 0x1.6a09e667f3bcdp-1)},
+                       Vec3(-0x1.a18700554fea8p+0, -0x1.af27c639b9274p+0, -0x1.abab3ff23030cp+1),
+                       Vec3(-0x1.392ac22d8ee13p+1, 0x1.5b4b9e006c9b3p-2, -0x1.f082b5507224cp-1),
+                       Vec3(0x1.f0b8e27cdf9ep-4, -0x1.dfbc656e3a0eap-3, 0x1.df2e6120dab6p-3)},
+                Ellipsoid{Vec3(0x1.55298219ab8bp-1, 0x1.825bdd99647f6p-3, 0x1.a9c8a91d0c4f5p-2)},
+                Motion{Pose{Vec3(0, 0, 0), Quat(-0x1.faddb927f447bp-3, 0x1.c7f2e5635a245p-3,
+                                                0x1.5a32f586046f2p-2, -0x1.c2b32c18bdb62p-1)},
+                       Vec3(0x1.012423ef7d4c8p-1, -0x1.04797e7e1464p+0, -0x1.4cdba33d12f8ep-1),
+                       Vec3(0x1.a777a0b7aabcp+4, 0x1.f854e484e8793p+4, -0x1.ae0b297e5b2a7p+3),
+                       Vec3(-0x1.893af07281357p-2, 0x1.902b06a061dc2p-2, 0x1.f0b7fc97129dp-3)},
+                Options{1, 0x1.5b9acbe9e2d45p-1, 0, StartContact::ignore, Detail::contact, 256}});
+}

@@ -270,3 +270,31 @@ TEST_CASE("regression: a budget spent near contact is a hit, however far the que
                      Vec3(0x1.59d024c594856p-2, 0x1.1a76c7445080bp-1, -0x1.2cf5a9aa0f674p-3)},
               Options{1, 0, 0x1.0c6f7a0b5ed8dp-20, StartContact::ignore, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: near contact that GJK does not see, at the end of the budget, is a hit")
+{
+    // Was `undecided`: GJK told hulls 4e-9 apart that were 1e-13 apart.
+    const Query hulls{
+        Hull::from_points(
+            std::vector<Vec3>{Vec3(-0x1.96b7778e90e2cp-1, 0x1.d16ee2f8c65p-5, 0x1.c585fb6585642p-1),
+                              Vec3(0x1.6656e1cdd942p-4, -0x1.0c8a0288252cp-4, -0x1.c96b98c807ap-5),
+                              Vec3(-0x1.b98cca961d758p-3, 0x1.b3771e6221a8p-6, -0x1.aae16e411baep-5)}),
+        Motion{Pose{Vec3(0x1.32194fe4db295p+0, 0x1.9e6da0212d2dfp-3, 0x1.480d01ff7aacp-2), Quat(1, 0, 0, 0)},
+               Vec3(-0x1.633e51d7df9f6p-1, -0x1.fcf0142cc8394p+0, 0x1.beafe63e8f96cp-1),
+               Vec3(-0x1.8babe6253d99ep-2, -0x1.13cfc692ca02ap+2, 0x1.9abb63c36ea7dp-1),
+               Vec3(-0x1.b98cca961d758p-3, 0x1.b3771e6221a8p-6, -0x1.aae16e411baep-5)},
+        Hull::from_points(
+            std::vector<Vec3>{Vec3(-0x1.46074cb6d078p-5, -0x1.4c51e815ca2dp-3, 0x1.9726d4d7c9dfp-4),
+                              Vec3(-0x1.c6ca928331faap-1, -0x1.457e63a0dcd9ap-1, -0x1.ec9722ad2cb02p-1),
+                              Vec3(-0x1.7b03505730fb2p-1, 0x1.72928f99ceaa8p-1, -0x1.a425198941778p-3),
+                              Vec3(-0x1.599746414b0dap-1, 0x1.03f144cdf88c2p-1, -0x1.0cc4509323ap-8),
+                              Vec3(-0x1.005a6cdd7b74p-2, 0x1.bb28b4751a63p-2, -0x1.feb2413933e38p-2)}),
+        Motion{Pose{Vec3(0x1.6a96b10aaaa96p-1, 0x1.3893a30a0e5ep-2, -0x1.4767ca486ccaep-1),
+                    Quat(0x1.203c15a9dc75bp-2, 0x1.8336fb2df36fap-1, 0x1.3f660d9495e78p-2,
+                         -0x1.00c73732b46f3p-1)},
+               Vec3(-0x1.633e517bcbf88p-1, -0x1.fcf01419b5bd4p+0, 0x1.beafe670acc3cp-1), Vec3(0, 0, 0),
+               Vec3(-0x1.2d11584713bf4p-3, -0x1.b79f9d688bb3cp-4, 0x1.2aa1e995d4fdcp-3)},
+        Options{1, 0, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}};
+    CHECK(answer(hulls).status == Status::hit);
+    check(hulls);
+}

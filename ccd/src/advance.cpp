@@ -47,6 +47,7 @@ private:
     Toi land();
     Toi hit();
     Toi arrived();
+    Toi in_doubt();
     bool begins_in_contact(const Separation& start, const StartOracle&) const;
     Toi go_on_from(const Separation& start);
     Toi approach();
@@ -120,6 +121,13 @@ template <class Part> bool Advance<Part>::can_leap()
     return brink::leap(course_, watch_, sight_, leap_) && course_.now() == leap_.at;
 }
 
+/// Where no step leads on: contact if the bodies are near enough all over, though looks have not shown it.
+template <class Part> Toi Advance<Part>::in_doubt()
+{
+    sight_ = watch_.look_hard(course_.facing());
+    return nearly() ? arrived() : course_.answer(Status::undecided, contact());
+}
+
 template <class Part> Toi Advance<Part>::land()
 {
     if (leap_.at > course_.options.t_max) return course_.apart();
@@ -136,7 +144,7 @@ template <class Part> Toi Advance<Part>::approach()
         if (can_leap()) return land();
         Step step = first_ ? first_step(course_.facing(), sight_, horizon()) : best_step();
         if (trail_.lost(step, course_.facing(), watch_, sight_, course_.radii)) {
-            if (spent()) return course_.answer(Status::undecided, contact());
+            if (spent()) return in_doubt();
             look();
             continue;
         }
@@ -146,12 +154,12 @@ template <class Part> Toi Advance<Part>::approach()
             if (there()) return arrived();
             step = best_step();
         }
-        if (!(step.gap > 0)) return nearly() ? arrived() : course_.answer(Status::undecided, contact());
+        if (!(step.gap > 0)) return in_doubt();
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
         if (next >= leap_.from) return land();
         if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
-        if (spent()) return course_.answer(Status::undecided, contact());
+        if (spent()) return in_doubt();
         course_.go(next);
         if (course_.iterations >= tolerance::long_way && coast(step)) return course_.apart();
         go_on(step);

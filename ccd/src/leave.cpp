@@ -128,6 +128,7 @@ private:
     double gap(const Separation& s) const { return s.gap - course_.options.target_gap; }
     bool fell_back();
     bool long_watched() const;
+    bool holds() const;
     bool out_of_doubt() const { return gap(highest_) > tolerance::shown * course_.rounding; }
     double step_away() const;
     double step_in_contact() const;
@@ -207,6 +208,14 @@ template <class Part> bool Leaving<Part>::long_watched() const
            course_.iterations > tolerance::most_watched * course_.options.max_iterations;
 }
 
+/// Whether steps over which the gap does not fall below what planes prove of it now keep bodies apart that
+/// are: of curved ones points may say more than is true.
+template <class Part> bool Leaving<Part>::holds() const
+{
+    const double proven = now_.lower - course_.options.target_gap;
+    return !apart_ || proven >= std::min(gap(), 0.0) - course_.slack;
+}
+
 /// A step over which the gap provably does not fall below what it is, to a border on the way out of contact
 /// not at any moment, or once apart does not close: 0 if none is proven that could be told from standing
 /// still. Between bodies, from deeper down, where it may fall in between, it also ends at a part of what
@@ -222,8 +231,9 @@ template <class Part> double Leaving<Part>::step_away() const
             return way >= least ? way : 0;
         }
     }
-    double way = rising(f, now_.normal, left);
-    if (!(way >= least) || course_.iterations >= tolerance::long_way)
+    const bool held = holds();
+    double way = held ? rising(f, now_.normal, left) : 0;
+    if (held && (!(way >= least) || course_.iterations >= tolerance::long_way))
         way = std::max(way, rising_by_corners(f, now_.normal, left));
     if (!(way >= least) && apart_ && gap() > course_.slack) way = stride(f, now_.normal, left).step.length;
     if (!(way >= least)) return 0;
