@@ -49,7 +49,6 @@ private:
     Toi arrived();
     Toi in_doubt();
     bool begins_in_contact(const Separation& start, const StartOracle&) const;
-    Toi go_on_from(const Separation& start);
     Toi approach();
     Toi approach_anew();
 
@@ -199,15 +198,6 @@ template <class Part> Toi Advance<Part>::hit()
     return toi;
 }
 
-template <class Part> Toi Advance<Part>::go_on_from(const Separation& start)
-{
-    if (start.gap - course_.options.target_gap <= course_.tolerance) {
-        if (const std::optional<Toi> end = leave(course_, start)) return *end;
-        return approach_anew();
-    }
-    return approach();
-}
-
 template <class Part> Toi Advance<Part>::run(const StartOracle& oracle, int spent)
 {
     course_.iterations = spent;
@@ -224,7 +214,10 @@ template <class Part> Toi Advance<Part>::arrived()
     const StartOracle* oracle = std::exchange(untold_, nullptr);
     if (oracle == nullptr || course_.now() > 0) return hit();
     const Separation start = course_.separated(sight_.best_normal());
-    return begins_in_contact(start, *oracle) ? from_contact() : go_on_from(start);
+    if (begins_in_contact(start, *oracle)) return from_contact();
+    if (start.gap - course_.options.target_gap > course_.tolerance) return approach();
+    if (const std::optional<Toi> end = leave(course_, start)) return *end;
+    return approach_anew();
 }
 
 /// In doubt it is contact where contact is to be reported, and else a near miss, which approaching makes a
