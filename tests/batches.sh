@@ -12,9 +12,8 @@ cd "$(dirname "$0")/.."
 folder=$1
 shift
 most=2000 # lines of a batch: what keeps two compilers busy
-mkdir -p "$folder"
-rm -f "$folder"/batch_*.cpp
-find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v folder="$folder" -v most="$most" -v root="$PWD" '
+mkdir -p "$folder/new"
+find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v folder="$folder/new" -v most="$most" -v root="$PWD" '
     function absolute(path) { return path ~ /^\// ? path : root "/" path }
     function base(path) { sub(/.*\//, "", path); return path }
     function first_word(text) { return match(text, /[A-Za-z_][A-Za-z_0-9]*/) ? substr(text, RSTART, RLENGTH) : "" }
@@ -133,3 +132,9 @@ find shapes ccd tests fuzz bench -name '*.h' ! -name '*-inl.h' | xargs awk -v fo
         for (batch = 1; batch <= batches; ++batch) if (members[batch] > 1) write(batch)
     }
 ' "$@"
+# What is as it was is not to be compiled again.
+for batch in "$folder"/batch_*.cpp; do [ -e "$folder/new/${batch##*/}" ] || rm -f "$batch"; done
+for batch in "$folder"/new/*; do
+    if cmp -s "$batch" "$folder/${batch##*/}"; then rm "$batch"; elif [ -e "$batch" ]; then mv "$batch" "$folder"; fi
+done
+rmdir "$folder/new"
