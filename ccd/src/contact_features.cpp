@@ -72,9 +72,11 @@ TurningAxis axis_between(const Feature& a, V3 rate_a, const Feature& b, V3 rate_
 
 void Corners::Some::add(const int* corners, int k)
 {
-    for (int i = 0; i < count; ++i)
-        if (corners[place[i]] == corners[k]) return;
-    place[count++] = k;
+    int seen = 0;
+    for (int i = 0; i < k; ++i)
+        seen |= static_cast<int>(corners[i] == corners[k]);
+    place[count] = k;
+    count += 1 - seen;
 }
 
 Corners::Corners(const Simplex& s)

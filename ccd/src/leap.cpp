@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "leap.h"
 
+#include "depth.h"
 #include "pursuit.h"
 #include "support.h"
 #include "tolerance.h"
@@ -127,6 +128,7 @@ private:
     Step way_back() const
     {
         if (!there()) return {};
+        if constexpr (std::is_same_v<Part, Core>) expect_depth(course_.facing().b.part);
         const TurningAxis axis{sight_.axis.normal, -sight_.axis.spin};
         return safe_step(backwards(course_.facing()), axis, course_.now() - start_);
     }

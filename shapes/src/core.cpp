@@ -79,6 +79,7 @@ Core core(const Hull& hull)
     c.kind = Core::Kind::hull;
     c.axes = {{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}};
     c.hull = &data;
+    expect(data.corners);
     return c;
 }
 

@@ -14,8 +14,12 @@ namespace {
 /// cycling. Smooth shapes get nearer by a digit or more in a few rounds.
 constexpr int most_rounds = 128;
 
+/// Only near the distance can a corner turn up again: before, nobody has to look.
+constexpr double nearly_there = 0.99;
+
 void put_corner_towards_origin(Simplex::Corner& c, const Core& a, const Core& b, V3 v)
 {
+    if (a.kind == Core::Kind::hull && b.kind == Core::Kind::hull) return put_corner_of_hulls(c, a, b, v);
     const SupportPoint on_a = farthest(a, v), on_b = farthest(b, -v);
     c.w = on_b.point - on_a.point;
     c.on_a = on_a.point;
@@ -122,7 +126,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
             c.point_a = s.on_a();
             return c;
         }
-        if (s.contains(corner)) break;
+        if (lower >= nearly_there * distance && s.contains(corner)) break;
         if (has_corners) {
             const Simplex::Taken taken = s.take_in(c.v);
             if (taken == Simplex::Taken::nearer) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "hull_data.h"
 #include "lanes.h"
+#include "simplex.h"
 #include "support.h"
 
 #include <cstddef>
@@ -58,35 +59,77 @@ int scan(const HullData& h, V3 d)
     return _mm256_maskload_pd(&v.x, __m256i{-1, -1, -1, 0});
 }
 
-/// All of farthest() in wide registers, with nothing called in between: the same, bit for bit.
-[[gnu::target("avx2")]] SupportPoint scanned_by_four(const Core& c, const V3& d)
+/// A corner in a wide register, whose fourth lane is of no use, and which it is.
+struct Wide {
+    __m256d point;
+    int corner;
+};
+
+/// The corner farthest along a direction, both in the hull's own frame, then placed; all in wide registers
+/// with nothing called in between. The same as from farthest(), bit for bit.
+[[gnu::target("avx2"), gnu::always_inline]] inline Wide scanned_by_four(const Core& c, V3 along)
 {
     const HullData& h = *c.hull;
-    const V3 along = into(c.axes, d);
     const __m256d dx = _mm256_set1_pd(along.x), dy = _mm256_set1_pd(along.y), dz = _mm256_set1_pd(along.z);
-    __m256d height = _mm256_set1_pd(-infinity), corner{}, corners{0, 1, 2, 3};
+    // Which corner it is goes together with where in memory it lies, which would take long to compute.
+    constexpr auto id = [](long long bytes, long long corner) { return bytes << 32 | corner; };
+    constexpr long long next = id(sizeof(double), 1), next_four = id(sizeof(HullData::Corners), 4);
+    __m256d height = _mm256_set1_pd(-infinity), top = _mm256_setzero_pd();
+    __m256i ids = _mm256_setr_epi64x(0, next, 2 * next, 3 * next);
     for (const HullData::Corners& four : h.corners) {
         const __m256d other =
-            _mm256_loadu_pd(four.x) * dx + _mm256_loadu_pd(four.y) * dy + _mm256_loadu_pd(four.z) * dz;
-        corner = _mm256_blendv_pd(corner, corners, _mm256_cmp_pd(other, height, _CMP_GT_OQ));
+            _mm256_load_pd(four.x) * dx + _mm256_load_pd(four.y) * dy + _mm256_load_pd(four.z) * dz;
+        top = _mm256_blendv_pd(top, _mm256_castsi256_pd(ids), _mm256_cmp_pd(other, height, _CMP_GT_OQ));
         height = _mm256_max_pd(other, height);
-        corners += 4;
+        ids = _mm256_add_epi64(ids, _mm256_set1_epi64x(next_four));
     }
-    const int k = highest({_mm256_castpd256_pd128(height), _mm256_castpd256_pd128(corner)},
-                          {_mm256_extractf128_pd(height, 1), _mm256_extractf128_pd(corner, 1)});
-    const HullData::Corners& four = h.corners[at(k / 4)];
-    const __m256d point = _mm256_set1_pd(four.x[k % 4]) * load_three(c.axes.x) +
-                          _mm256_set1_pd(four.y[k % 4]) * load_three(c.axes.y) +
-                          _mm256_set1_pd(four.z[k % 4]) * load_three(c.axes.z) + load_three(c.centre);
-    static_assert(sizeof(SupportPoint) == sizeof point && offsetof(SupportPoint, point) == 0);
+    const auto higher = [](__m128d a, __m128d b) { return _mm_cmpgt_pd(a, b); };
+    const __m128d heights[2] = {_mm256_castpd256_pd128(height), _mm256_extractf128_pd(height, 1)};
+    const __m128d later = higher(heights[1], heights[0]);
+    const __m128d of_two = _mm_blendv_pd(heights[0], heights[1], later);
+    const __m128d tops = _mm_blendv_pd(_mm256_castpd256_pd128(top), _mm256_extractf128_pd(top, 1), later);
+    const __m128d best =
+        _mm_blendv_pd(tops, _mm_unpackhi_pd(tops, tops), higher(_mm_unpackhi_pd(of_two, of_two), of_two));
+    const long long found = _mm_cvtsi128_si64(_mm_castpd_si128(best));
+    const double* x =
+        reinterpret_cast<const double*>(reinterpret_cast<const char*>(h.corners.data()) + (found >> 32));
+    return {_mm256_broadcast_sd(x) * load_three(c.axes.x) +
+                _mm256_broadcast_sd(x + 4) * load_three(c.axes.y) +
+                _mm256_broadcast_sd(x + 8) * load_three(c.axes.z) + load_three(c.centre),
+            static_cast<int>(found)};
+}
+
+[[gnu::target("avx2")]] SupportPoint farthest_by_four(const Core& c, const V3& d)
+{
+    const Wide found = scanned_by_four(c, into(c.axes, d));
+    static_assert(sizeof(SupportPoint) == sizeof found.point && offsetof(SupportPoint, point) == 0);
     SupportPoint top;
-    _mm256_storeu_pd(reinterpret_cast<double*>(&top), point); // the fourth falls on `corner`
-    top.corner = k;
+    _mm256_storeu_pd(reinterpret_cast<double*>(&top), found.point); // the fourth falls on `corner`
+    top.corner = found.corner;
     return top;
+}
+
+[[gnu::target("avx2")]] void put_by_four(Simplex::Corner& c, const Core& a, const Core& b, const V3& v)
+{
+    const Wide on_a = scanned_by_four(a, into(a.axes, v)), on_b = scanned_by_four(b, -into(b.axes, v));
+    // The fourth falls on what is stored after it.
+    static_assert(offsetof(Simplex::Corner, on_a) == sizeof(V3) &&
+                  offsetof(Simplex::Corner, on_b) == 2 * sizeof(V3) &&
+                  sizeof(Simplex::Corner) > 3 * sizeof(V3));
+    _mm256_storeu_pd(&c.w.x, on_b.point - on_a.point);
+    _mm256_storeu_pd(&c.on_a.x, on_a.point);
+    _mm256_storeu_pd(&c.on_b.x, on_b.point);
+    c.in_a = on_a.corner;
+    c.in_b = on_b.corner;
+    c.weight = 1;
 }
 #endif
 
 bool is_scanned(const HullData& h) { return h.count <= most_scanned || h.neighbours.empty(); }
+
+#ifdef __x86_64__
+bool is_scanned_by_four(const HullData& h) { return is_scanned(h) && __builtin_cpu_supports("avx2") != 0; }
+#endif
 
 /// The highest of every so-manieth corner.
 int sample(const HullData& h, V3 d, int stride)
@@ -135,9 +178,18 @@ int farthest(const HullData& h, V3 d) { return is_scanned(h) ? scan(h, d) : clim
 SupportPoint farthest_of_hull(const Core& c, const V3& d)
 {
 #ifdef __x86_64__
-    if (is_scanned(*c.hull) && __builtin_cpu_supports("avx2") != 0) return scanned_by_four(c, d);
+    if (is_scanned_by_four(*c.hull)) return farthest_by_four(c, d);
 #endif
     return farthest_one_by_one(c, d);
+}
+
+void put_corner_of_hulls(Simplex::Corner& c, const Core& a, const Core& b, const V3& v)
+{
+#ifdef __x86_64__
+    if (is_scanned(*a.hull) && is_scanned_by_four(*b.hull)) return put_by_four(c, a, b, v);
+#endif
+    const SupportPoint on_a = farthest_one_by_one(a, v), on_b = farthest_one_by_one(b, -v);
+    c = {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
 }
 
 V3 face_towards(const Core& c, V3 d)

@@ -4,6 +4,7 @@
 #include "core.h"
 #include "hull_data.h"
 #include "round_support.h"
+#include "simplex.h"
 
 #include <algorithm>
 
@@ -39,6 +40,8 @@ struct SupportPoint {
 };
 
 SupportPoint farthest_of_hull(const Core&, const V3& d);
+/// The corner of the difference B - A that lies farthest against v, of two hulls.
+void put_corner_of_hulls(Simplex::Corner&, const Core& a, const Core& b, const V3& v);
 
 /// The normal of the face of a hull that looks most along d, not of unit length; zero where no face is known.
 V3 face_towards(const Core& c, V3 d);
