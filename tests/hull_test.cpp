@@ -81,6 +81,25 @@ void check_same_corner(Random& random, const Hull& hull)
     }
 }
 
+/// The corner of the difference against v is made of those that one hull after the other tells.
+void check_corner_of_both(Random& random, const Hull& hull_a, const Hull& hull_b)
+{
+    const Core a = placed(core(hull_a), rotation(random.rotation()), load(random.in_cube(3)));
+    const Core b = placed(core(hull_b), rotation(random.rotation()), load(random.in_cube(3)));
+    for (int i = 0; i < 50; ++i) {
+        const V3 v = i % 2 == 0 ? load(random.unit()) : i % 4 == 1 ? a.axes.x : b.axes.x - b.axes.z;
+        Simplex::Corner both;
+        put_corner_of_hulls(both, a, b, v);
+        const SupportPoint on_a = farthest(a, v), on_b = farthest(b, -v);
+        CHECK(both.w == on_b.point - on_a.point);
+        CHECK(both.on_a == on_a.point);
+        CHECK(both.on_b == on_b.point);
+        CHECK(both.in_a == on_a.corner);
+        CHECK(both.in_b == on_b.corner);
+        CHECK(both.weight == 1);
+    }
+}
+
 } // namespace
 
 TEST_CASE("hull: bad input is named")
@@ -181,11 +200,16 @@ TEST_CASE("hull: copies share")
 TEST_CASE("hull: the farthest corner is the same in wide registers")
 {
     Random random(98);
+    Hull last = Hull::from_points(cube_corners(2));
     for (int count = 4; count <= 70; ++count) {
         Points points;
         for (int i = 0; i < count; ++i)
             points.emplace_back(random.unit());
-        check_same_corner(random, Hull::from_points(points));
+        const Hull hull = Hull::from_points(points);
+        check_same_corner(random, hull);
+        check_corner_of_both(random, Hull::from_points(cube_corners(1)), hull);
+        check_corner_of_both(random, hull, last);
+        last = hull;
     }
     check_same_corner(random, Hull::from_points(cube_corners(1)));
 }
