@@ -33,18 +33,18 @@ template <int n> struct Axes {
     }
 };
 
-struct Boxes {
+struct Relative {
     double ha[3], hb[3];
     double from[3]; // B's centre from A's, in A's frame
     Cosines c;
 };
 
-Boxes boxes(const Core& a, const Core& b)
+Relative relative(const Core& a, const Core& b)
 {
-    Boxes s{{a.half_extents.x, a.half_extents.y, a.half_extents.z},
-            {b.half_extents.x, b.half_extents.y, b.half_extents.z},
-            {},
-            {}};
+    Relative s{{a.half_extents.x, a.half_extents.y, a.half_extents.z},
+               {b.half_extents.x, b.half_extents.y, b.half_extents.z},
+               {},
+               {}};
     const V3 of_a[3] = {a.axes.x, a.axes.y, a.axes.z}, of_b[3] = {b.axes.x, b.axes.y, b.axes.z};
     const V3 offset = b.centre - a.centre;
     for (int i = 0; i < 3; ++i) {
@@ -58,7 +58,7 @@ Boxes boxes(const Core& a, const Core& b)
 }
 
 /// 0 to 2 those of A, 3 to 5 those of B.
-Axes<6> faces(const Boxes& s)
+Axes<6> faces(const Relative& s)
 {
     Axes<6> out;
     for (int k = 0; k < 3; ++k) {
@@ -77,7 +77,7 @@ Axes<6> faces(const Boxes& s)
 }
 
 /// 3 i + j for A's edge i and B's edge j, but those that are nearly parallel.
-Axes<10> edges(const Boxes& s)
+Axes<10> edges(const Relative& s)
 {
     constexpr int next[3] = {1, 2, 0}, last[3] = {2, 0, 1};
     Axes<10> out;
@@ -138,7 +138,7 @@ BoxWitness over_face(const Core& box, V3 point)
 
 BoxAxis box_axis(const Core& a, const Core& b)
 {
-    const Boxes s = boxes(a, b);
+    const Relative s = relative(a, b);
     const Axes<6> of_faces = faces(s);
     const Axes<10> of_edges = edges(s);
     const int k = of_faces.best(), e = of_edges.best();

@@ -13,8 +13,6 @@ namespace brink {
 
 namespace {
 
-V3 magnitudes(V3 v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
-
 /// The cross product with sums in place of differences.
 template <class T> XYZ<T> cross_sum(XYZ<T> a, XYZ<T> b)
 {

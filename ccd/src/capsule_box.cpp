@@ -24,7 +24,6 @@ struct Passing {
     V3 point(double t, double on) const { return start + t * by + on * edge; }
 };
 
-V3 magnitudes(V3 v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 double beyond(double x, double half) { return x - std::clamp(x, -half, half); }
 V3 beyond(V3 p, V3 half) { return {beyond(p.x, half.x), beyond(p.y, half.y), beyond(p.z, half.z)}; }
 Two beyond(Two x, double half) { return x - smaller(larger(x, both(-half)), both(half)); }
@@ -38,7 +37,7 @@ Two slope(const Passing& s, V3 start, Two on)
 }
 
 /// The last place where the slope is not above zero and the first where it is.
-struct Turn {
+struct Dip {
     Two below{}, at_below = both(-1), above = both(1), at_above = both(1);
 
     void look(Two on, Two value)
@@ -58,19 +57,19 @@ double nearest_to_box(const Passing& s, V3 start)
     const Two ends{0, 1}, at_ends = slope(s, start, ends);
     if (!(at_ends[0] < 0)) return 0;
     if (!(at_ends[1] > 0)) return 1;
-    Turn turn;
-    turn.at_below = both(at_ends[0]);
-    turn.at_above = both(at_ends[1]);
+    Dip dip;
+    dip.at_below = both(at_ends[0]);
+    dip.at_above = both(at_ends[1]);
     const auto look = [&](double from, double edge, double half) {
         const Two on = smaller(larger((Two{-half, half} - both(from)) / both(edge), both(0)), both(1));
-        turn.look(on, slope(s, start, on));
+        dip.look(on, slope(s, start, on));
     };
     look(start.x, s.edge.x, s.half.x);
     look(start.y, s.edge.y, s.half.y);
     look(start.z, s.edge.z, s.half.z);
-    const int low = turn.below[1] > turn.below[0] ? 1 : 0, high = turn.above[1] < turn.above[0] ? 1 : 0;
-    const double from = turn.below[low], fall = -turn.at_below[low], rise = turn.at_above[high];
-    return from + (turn.above[high] - from) * (fall / (fall + rise));
+    const int low = dip.below[1] > dip.below[0] ? 1 : 0, high = dip.above[1] < dip.above[0] ? 1 : 0;
+    const double from = dip.below[low], fall = -dip.at_below[low], rise = dip.at_above[high];
+    return from + (dip.above[high] - from) * (fall / (fall + rise));
 }
 
 /// The features that are nearest at a time.

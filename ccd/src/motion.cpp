@@ -18,7 +18,7 @@ struct Quaternion {
     V3 v;
 };
 
-Quaternion load(const Quat& q)
+Quaternion quaternion(const Quat& q)
 {
     const double* c = q.coeffs().data();
     return {c[3], {c[0], c[1], c[2]}};
@@ -35,9 +35,9 @@ Quaternion unit(const Quaternion& q)
     return {q.w / length, {q.v.x / length, q.v.y / length, q.v.z / length}};
 }
 
-Quat store(const Quaternion& q) { return {q.w, q.v.x, q.v.y, q.v.z}; }
+Quat quat(const Quaternion& q) { return {q.w, q.v.x, q.v.y, q.v.z}; }
 
-struct Span {
+struct Extents {
     V3 min, max;
 };
 
@@ -45,7 +45,7 @@ V3 least(V3 a, V3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(
 V3 most(V3 a, V3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
 /// Both ends, grown by what the path between them can stray and by rounding of the order of the coordinates.
-Span around(Span a, Span b, double stray)
+Extents around(Extents a, Extents b, double stray)
 {
     const V3 min = least(a.min, b.min), max = most(a.max, b.max);
     const auto grow = [stray](double x) { return stray + tolerance::outwards * (std::fabs(x) + stray); };
@@ -53,29 +53,29 @@ Span around(Span a, Span b, double stray)
             {max.x + grow(max.x), max.y + grow(max.y), max.z + grow(max.z)}};
 }
 
-constexpr V3 lowest{-infinity, -infinity, -infinity}, highest{infinity, infinity, infinity};
+constexpr Extents everywhere{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
 
 /// A turning point leaves the straight line between its two ends by at most |rate|^2 reach t^2 / 8, and the
 /// pivot's straight line by at most its reach.
-Span swept(const Mover<Core>& m, Span start, Span end, double t_max)
+Extents swept(const Mover<Core>& m, Extents start, Extents end, double t_max)
 {
     const double rounding =
         tolerance::pose_rounding * (norm(m.arm) + norm(m.translation) + (1 + m.turn.angle) * m.reach);
     const double angle = m.turn.angle * t_max;
-    const Span chord = around(start, end, 0.125 * angle * angle * m.reach + rounding);
+    const Extents chord = around(start, end, 0.125 * angle * angle * m.reach + rounding);
     if (angle == 0) return chord;
     const V3 from = m.pivot(0), to = m.pivot(t_max);
-    const Span ball = around({from, from}, {to, to}, m.reach + m.part.radius + rounding);
+    const Extents ball = around({from, from}, {to, to}, m.reach + m.part.radius + rounding);
     return {most(chord.min, ball.min), least(chord.max, ball.max)};
 }
 
-Span swept(const Mover<Border>& m, Span start, Span end, double)
+Extents swept(const Mover<Border>& m, Extents start, Extents end, double)
 {
-    if (m.turn.angle > 0) return {lowest, highest};
+    if (m.turn.angle > 0) return everywhere;
     return around(start, end, tolerance::pose_rounding * norm(m.translation));
 }
 
-Span span(const Aabb& box) { return {brink::load(box.min), brink::load(box.max)}; }
+Extents extents(const Aabb& box) { return {load(box.min), load(box.max)}; }
 
 } // namespace
 
@@ -85,18 +85,19 @@ Pose Motion::at(double t) const
     const Turn spin = turn(rotation);
     if (spin.angle == 0 || t == 0) return {store(from + by), start.orientation};
     const SinCos half = sin_cos(0.5 * (t * spin.angle));
-    const Quaternion turned_now = unit(product({half.cos, half.sin * spin.axis}, load(start.orientation)));
-    if (local == V3{}) return {store(from + by), store(turned_now)};
+    const Quaternion turned_now =
+        unit(product({half.cos, half.sin * spin.axis}, quaternion(start.orientation)));
+    if (local == V3{}) return {store(from + by), quat(turned_now)};
     const V3 arm = brink::rotation(start.orientation) * local;
-    return {store(from + (by + (arm - turned(spin, t) * arm))), store(turned_now)};
+    return {store(from + (by + (arm - turned(spin, t) * arm))), quat(turned_now)};
 }
 
 Motion Motion::still(const Pose& pose) { return {.start = pose}; }
 
 Motion Motion::between(const Pose& from, const Pose& to, const Vec3& pivot)
 {
-    const Quaternion first = unit(load(from.orientation));
-    Quaternion q = unit(product(unit(load(to.orientation)), {first.w, -first.v}));
+    const Quaternion first = unit(quaternion(from.orientation));
+    Quaternion q = unit(product(unit(quaternion(to.orientation)), {first.w, -first.v}));
     if (q.w < 0) q = {-q.w, -q.v};
     const double sine = norm(q.v);
     const double scale = sine > 0 ? 2 * angle_of({sine, q.w}) / sine : 0;
@@ -108,10 +109,12 @@ Motion Motion::between(const Pose& from, const Pose& to, const Vec3& pivot)
 
 Aabb swept_bounds(const Shape& shape, const Motion& motion, double t_max)
 {
-    if (!(t_max >= 0 && t_max <= 1) || !valid(shape, motion)) return {store(lowest), store(highest)};
-    const Span start = span(bounds(shape, motion.start)), end = span(bounds(shape, motion.at(t_max)));
+    if (!(t_max >= 0 && t_max <= 1) || !valid(shape, motion))
+        return {store(everywhere.min), store(everywhere.max)};
+    const Extents start = extents(bounds(shape, motion.start)),
+                  end = extents(bounds(shape, motion.at(t_max)));
     const auto sweep = [&](const auto& s) { return swept(mover(s, motion), start, end, t_max); };
-    const Span all = std::visit(sweep, shape);
+    const Extents all = std::visit(sweep, shape);
     return {store(all.min), store(all.max)};
 }
 

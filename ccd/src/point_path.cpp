@@ -76,7 +76,6 @@ public:
     double reach() const { return norm(magnitudes(centre_) + h_); }
 
 private:
-    static V3 magnitudes(V3 v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 
     V3 centre_, h_;
 };

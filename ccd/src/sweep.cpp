@@ -26,7 +26,6 @@ struct Size {
     double reach = 0;
 };
 
-V3 absolute(V3 v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 V3 least(V3 a, V3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 V3 most(V3 a, V3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 Span3 grown(V3 min, V3 max, double r)
@@ -40,8 +39,9 @@ Size size_of(const Sphere& s, const Rotation&, V3 pivot)
 }
 Size size_of(const Box& s, const Rotation& r, V3 pivot)
 {
-    const V3 h = load(s.half_extents), most = h.x * absolute(r.x) + h.y * absolute(r.y) + h.z * absolute(r.z);
-    return {{-most, most}, norm(h + absolute(pivot))};
+    const V3 h = load(s.half_extents),
+             most = h.x * magnitudes(r.x) + h.y * magnitudes(r.y) + h.z * magnitudes(r.z);
+    return {{-most, most}, norm(h + magnitudes(pivot))};
 }
 Size size_of(const Capsule& s, const Rotation& r, V3 pivot)
 {

@@ -30,7 +30,7 @@ void put_corner_towards_origin(Simplex::Corner& c, const Core& a, const Core& b,
 }
 
 /// The different corners of one core that a simplex uses.
-struct Feature {
+struct Used {
     int count = 0;
     V3 points[4];
     void add(V3 p)
@@ -44,7 +44,7 @@ struct Feature {
 /// The direction that the features at the two ends of v ask for: v itself is rounding noise when it is short.
 V3 feature_normal(const Simplex& s, V3 v)
 {
-    Feature of_a, of_b;
+    Used of_a, of_b;
     for (int k = 0; k < s.size; ++k)
         of_a.add(s.corners[k].on_a), of_b.add(s.corners[k].on_b);
     if (of_a.count >= 3) return face_normal(of_a.points[0], of_a.points[1], of_a.points[2]);

@@ -18,8 +18,6 @@ namespace brink {
 namespace {
 
 constexpr std::size_t most_points = std::size_t{1} << 20U;
-/// 2^exponent and its inverse are normal numbers.
-constexpr int least_exponent = -1000;
 
 std::string in_words(const Vec3& p)
 {

@@ -91,7 +91,7 @@ struct Wide {
     const __m128d best =
         _mm_blendv_pd(tops, _mm_unpackhi_pd(tops, tops), higher(_mm_unpackhi_pd(of_two, of_two), of_two));
     const long long found = _mm_cvtsi128_si64(_mm_castpd_si128(best));
-    const double* x =
+    const auto* x =
         reinterpret_cast<const double*>(reinterpret_cast<const char*>(h.corners.data()) + (found >> 32));
     return {_mm256_broadcast_sd(x) * load_three(c.axes.x) +
                 _mm256_broadcast_sd(x + 4) * load_three(c.axes.y) +

@@ -17,8 +17,6 @@ struct Ray {
     V3 origin, direction;
 };
 
-using Entry = SurfaceEntry;
-
 V3 unit(V3 v) { return (1 / norm(v)) * v; }
 V3 against(const Ray& ray) { return -unit(ray.direction); }
 
@@ -53,7 +51,7 @@ double ray_cylinder(V3 x, V3 d, V3 axis, double radius)
     return t;
 }
 
-Entry enter_capsule(const Ray& ray, const Core& c)
+SurfaceEntry enter_capsule(const Ray& ray, const Core& c)
 {
     const V3 a = c.points[0], b = c.points[c.count - 1], d = ray.direction;
     const double at_ends =
@@ -79,7 +77,7 @@ Slab slab(double origin, double direction, double half)
     return {(near - origin) / direction, (-near - origin) / direction};
 }
 
-Entry enter_box(const Ray& ray, const Core& c)
+SurfaceEntry enter_box(const Ray& ray, const Core& c)
 {
     const V3 h = c.half_extents, o = into(c.axes, ray.origin - c.centre), d = into(c.axes, ray.direction);
     const Slab x = slab(o.x, d.x, h.x), y = slab(o.y, d.y, h.y), z = slab(o.z, d.z, h.z);
@@ -101,7 +99,7 @@ Entry enter_box(const Ray& ray, const Core& c)
     return {t, c.centre + c.axes * point, c.axes * normal};
 }
 
-Entry enter_triangle(const Ray& ray, const Core& c)
+SurfaceEntry enter_triangle(const Ray& ray, const Core& c)
 {
     const V3 p = c.points[0] - ray.origin, q = c.points[1] - ray.origin, r = c.points[2] - ray.origin;
     const RayEntry entry = ray_triangle(ray.direction, p, q, r);
@@ -112,7 +110,7 @@ Entry enter_triangle(const Ray& ray, const Core& c)
     return {entry.t, point, rate == 0 ? against(ray) : (rate > 0 ? -1.0 : 1.0) * unit(n)};
 }
 
-Separation from_point(V3 point, const Core& c)
+Separation separated_from(V3 point, const Core& c)
 {
     Core at;
     at.points[0] = point;
@@ -122,13 +120,13 @@ Separation from_point(V3 point, const Core& c)
 /// Any convex core by its supporting planes: each that keeps it apart from the ray's place moves that on,
 /// until it is there, or no more nearing it. Newton's method on the distance along the ray, which is convex.
 /// (G. van den Bergen, Ray Casting against General Convex Objects, 2004.)
-Entry enter_by_planes(const Ray& ray, const Core& c)
+SurfaceEntry enter_by_planes(const Ray& ray, const Core& c)
 {
     constexpr int most_rounds = 128; // a ray that grazes halves its distance in each
-    Entry entry{0, ray.origin, against(ray)};
+    SurfaceEntry entry{0, ray.origin, against(ray)};
     const double slack = tolerance::tight * std::max(extent(c), largest_coordinate(ray.origin));
     for (int round = 0; round < most_rounds; ++round) {
-        const Separation s = from_point(entry.point, c);
+        const Separation s = separated_from(entry.point, c);
         const double rate = dot(s.normal, ray.direction), t = entry.t + s.lower / rate;
         const bool there = !(s.lower > slack);
         if (!(rate > 0) && (!there || round == 0)) return {};
@@ -145,7 +143,7 @@ bool is_flat(const Core& c)
     return std::min(h.x, std::min(h.y, h.z)) < tolerance::least_scale;
 }
 
-Entry enter(const Ray& ray, const Core& c)
+SurfaceEntry enter(const Ray& ray, const Core& c)
 {
     if (ray.direction == V3{}) return {};
     if (c.kind == Core::Kind::hull || (c.kind == Core::Kind::ellipsoid && is_flat(c)))
@@ -157,7 +155,7 @@ Entry enter(const Ray& ray, const Core& c)
 }
 
 /// From above, where normal . x > offset, or from below.
-Entry enter(const Ray& ray, const Border& b)
+SurfaceEntry enter(const Ray& ray, const Border& b)
 {
     const double height = dot(b.normal, ray.origin) - b.offset, rate = dot(b.normal, ray.direction);
     if (!((height > 0 && rate < 0) || (height < 0 && rate > 0))) return {};
@@ -174,8 +172,6 @@ struct Question {
     int length_exponent, direction_exponent;
 };
 
-constexpr int least_exponent = -1000; // 2^-e is still a double
-
 Question question(V3 origin, V3 direction, const Shape& shape, const Pose& pose)
 {
     const V3 at = load(pose.position);
@@ -190,7 +186,7 @@ Question question(V3 origin, V3 direction, const Shape& shape, const Pose& pose)
 /// The origin's place in the shape: how far inside, and the way out.
 Separation standing(const Ray& ray, const PlacedShape& body)
 {
-    if (body.bounded) return from_point(ray.origin, body.core);
+    if (body.bounded) return separated_from(ray.origin, body.core);
     Core point;
     point.points[0] = ray.origin;
     return separation(point, body.border);
@@ -206,7 +202,7 @@ RayHit ray_cast(const Vec3& origin, const Vec3& direction, const Shape& shape, c
     const Separation s = standing(q.ray, q.body);
     if (s.gap <= 0) return {Status::touching, 0, origin, store(-s.normal)};
 
-    const Entry entry = q.body.bounded ? enter(q.ray, q.body.core) : enter(q.ray, q.body.border);
+    const SurfaceEntry entry = q.body.bounded ? enter(q.ray, q.body.core) : enter(q.ray, q.body.border);
     const double t = std::ldexp(entry.t, q.length_exponent - q.direction_exponent);
     if (!(t <= t_max) || !(t < infinity)) return {Status::separated, t_max, {0, 0, 0}, {0, 0, 0}};
     const V3 point = load(pose.position) + scaled(entry.point, q.length_exponent);

@@ -21,6 +21,9 @@ static inline int exponent(double x)
     return e;
 }
 
+/// By lengths of no less than that power nothing is scaled up: its inverse is a normal number, too.
+inline constexpr int least_exponent = -1000;
+
 static inline V3 scaled(V3 v, int e)
 {
     return e == 0 ? v : V3{std::ldexp(v.x, e), std::ldexp(v.y, e), std::ldexp(v.z, e)};

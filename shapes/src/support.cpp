@@ -5,8 +5,6 @@ namespace brink {
 
 namespace {
 
-V3 magnitudes(V3 v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
-
 /// The axes of a round core that reach from its centre to all of its points: no coordinate of them is larger
 /// than the sum of these.
 double solid_extent(const Core& c)

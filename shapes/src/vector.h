@@ -42,6 +42,7 @@ template <class T> static inline XYZ<T> cross(XYZ<T> a, XYZ<T> b)
 }
 template <class T> static inline T norm_squared(XYZ<T> a) { return dot(a, a); }
 static inline double norm(V3 a) { return std::sqrt(dot(a, a)); }
+static inline V3 magnitudes(V3 v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 static inline double sum_of_magnitudes(V3 a) { return std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z); }
 
 /// Zero times every coordinate: zero when all are finite, NaN otherwise. Sums of these test many numbers at
