@@ -251,3 +251,26 @@ TEST_CASE("regression: curved surfaces, whose simplices are slivers, are as near
                Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
         Options{1, 0x1.8dac543935071p-13, 0, StartContact::report, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: what will turn fast begins apart by as little as what does not")
+{
+    // Was `touching`, at a gap of 9e-14: the roundings of three turns counted before the first of them.
+    const Query query{
+        Ellipsoid{Vec3(0x1.fa55d1672a636p-2, 0x1.9cf888465c899p-5, 0)},
+        Motion{Pose{Vec3(0x1.0d3d4b52fb459p-2, -0x1.ab73d4338d356p-1, -0x1.80c6f5db68bdap-1),
+                    Quat(-0x1.0f7eb2p-1, -0x1.4d34c4p-1, -0x1.a327acp-2, 0x1.6dfb14p-2)},
+               Vec3(0x1.642058f3941ep-4, -0x1.495fa9b374f1p-1, 0x1.96d87bec0ec1p-1)},
+        Hull::from_points(
+            std::vector<Vec3>{Vec3(0x1.6277ec7bdf80ap-2, -0x1.a5e3c7fb127ap-2, -0x1.af8c77e996d27p-1),
+                              Vec3(0x1.5b884f9bb3bbfp-2, 0x1.ddc476bd3a0bp-1, -0x1.e5cd987ce15eap-4),
+                              Vec3(-0x1.485b76f28f873p-2, -0x1.15f72e5e0608p-1, -0x1.8d65ae2e84d7ap-1),
+                              Vec3(0x1.ba7960ca95f73p-2, -0x1.e5fcdf3221d2fp-4, -0x1.c9b85f2adf813p-1),
+                              Vec3(0x1.a9a361ec7841ep-1, 0x1.e9c43f9a2cccfp-3, 0x1.00dfb2044cd35p-1)}),
+        Motion{Pose{Vec3(0x1.94dab570090acp-2, -0x1.0e87d66531b26p-1, -0x1.32a219c006284p-1),
+                    Quat(0x1.310e8cec8e0dfp-1, 0x1.859b26875c822p-1, 0x1.d3e39da8207efp-5,
+                         0x1.0068234fbef54p-2)},
+               Vec3(0, 0, 0), Vec3(0, 0, 0x1.1c0c4816c1edbp+4)},
+        Options{1, 0x1.4494093ddd89dp-1, 0x1.12e0be826d695p-30, StartContact::report, Detail::contact, 256}};
+    CHECK(answer(query).status == Status::hit);
+    check(query);
+}

@@ -226,7 +226,7 @@ template <class Part>
 bool Advance<Part>::begins_in_contact(const Separation& start, const StartOracle& oracle) const
 {
     const double target = course_.options.target_gap, gap = start.gap - target;
-    const double doubt = tolerance::shown * course_.rounding;
+    const double doubt = tolerance::shown * course_.rounding_at_start();
     if (oracle.in_contact != nullptr && std::fabs(gap) <= course_.rounding)
         return oracle.in_contact(oracle.query);
     const bool reported = course_.options.start_contact == StartContact::report;

@@ -16,7 +16,12 @@ double radius(const Border&) { return 0; }
 double size(const Core& core) { return core.radius; }
 double size(const Border& border) { return std::fabs(border.offset); }
 
-/// The lengths of one body that roundings are relative to.
+/// The lengths of one body that roundings are relative to, where it starts
+template <class Part> double extent_at_start(const Mover<Part>& m)
+{
+    return sum_of_magnitudes(m.arm) + m.reach + size(m.part);
+}
+/// and on its way.
 template <class Part> double extent(const Mover<Part>& m)
 {
     return sum_of_magnitudes(m.arm) + (1 + m.turn.angle) * m.reach + size(m.part);
@@ -64,6 +69,13 @@ template <class Part> Separation Course<Part>::separated(V3 axis) const
     if constexpr (std::is_same_v<Part, Core>)
         s.lower = std::max(s.lower, gap_along(part_a_, part_b_, axis) - (part_a_.radius + part_b_.radius));
     return s;
+}
+
+template <class Part> double Course<Part>::rounding_at_start() const
+{
+    const double distance = sum_of_magnitudes(b_.position - a_.position);
+    return tolerance::certificate_slack *
+           (distance + extent_at_start(a_) + extent_at_start(b_) + options.target_gap);
 }
 
 template <class Part> double Course<Part>::allowed() const

@@ -40,6 +40,8 @@ public:
     Toi answer(Status, const Separation&) const;
     /// A gap that counts as there if need be: within what promise 3 allows.
     double allowed() const;
+    /// What rounding may do to the gap at the start, where nothing has moved yet; at most.
+    double rounding_at_start() const;
     /// Whether nothing that turns makes a difference.
     bool translates() const { return a_.turn.angle == 0 && b_.turn.angle == 0; }
 

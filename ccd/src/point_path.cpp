@@ -76,7 +76,6 @@ public:
     double reach() const { return norm(magnitudes(centre_) + h_); }
 
 private:
-
     V3 centre_, h_;
 };
 
