@@ -274,3 +274,25 @@ TEST_CASE("regression: what will turn fast begins apart by as little as what doe
     CHECK(answer(query).status == Status::hit);
     check(query);
 }
+
+TEST_CASE("regression: a curved core all but touches by points that go from one core to the other")
+{
+    // Was `undecided`: the points told were 1.4e-13 apart where 2e-14 is the distance, and 6e-14 allowed.
+    const Query query{Triangle{Vec3(0x1.ae1d5825cd8dap-1, 0x1.6d30b32b88386p-1, 0x1.d6d6b8f67070ap-1),
+                               Vec3(-0x1.398ef242c38f3p-1, -0x1.c40e26f1de27ep-2, -0x1.2ca8990e1d863p-1),
+                               Vec3(-0x1.d020625fb3ddep-1, -0x1.59ba963b51651p-1, -0x1.c8dc3417e402cp-1)},
+                      Motion{Pose{Vec3(0x1.8f5d6704fba7cp-2, 0x1.3d160ab53218bp-7, -0x1.5a565dae6524p+2),
+                                  Quat(-0x1.c3e5dd305e575p-7, 0x1.fec8f1aacef98p-1, -0x1.c745e82af6b91p-6,
+                                       -0x1.f78c958b1941p-5)},
+                             Vec3(-0x1.951e56444cf17p-1, -0x1.41a784389a6a1p-6, 0x1.5f53b993cb56ap+3),
+                             Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                      Cone{0x1.0c712960de84bp-2, 0x1.c75744c88e1c5p-2},
+                      Motion{Pose{Vec3(0, 0, 0), Quat(-0x1.1a5fbfc93d59bp-3, -0x1.8d9ea3eb95c17p-10,
+                                                      0x1.d445349aa9129p-4, -0x1.f7b84c1d657b4p-1)},
+                             Vec3(0, 0, 0),
+                             Vec3(-0x1.3cd4607c463eep-7, 0x1.b0eaabc9746e2p-5, 0x1.c4a7091042eb9p-4),
+                             Vec3(-0x1.d614a240fb728p+0, 0x1.4c2eaf23b712p-2, -0x1.d242ea9ca2fbcp-1)},
+                      Options{0x1.b7862f3f06dcp-1, 0, 0, StartContact::report, Detail::contact, 256}};
+    CHECK(answer(query).status == Status::hit);
+    check(query);
+}
