@@ -5,6 +5,7 @@
 #include "feature_pairs.h"
 #include "gjk.h"
 #include "nearest.h"
+#include "point_round.h"
 #include "round_axis.h"
 #include "sat.h"
 #include "support.h"
@@ -166,22 +167,63 @@ Separation refined(const Core& a, const Core& b, const Closest& c, const Axis& a
     return {top.axis.gap, gap, top.axis.normal, point_a, point_a + gap * top.axis.normal};
 }
 
-/// Of cores that overlap for certain the gap is the way out that is known to clear them: what grew within the
-/// difference may end far short of its surface.
-Separation with_points(const Penetration& p, double slack)
+/// How far a point is from the surface of a core, as far as it is near; NaN for a flat ellipsoid.
+double off_surface(const Core& c, V3 p)
 {
-    const double gap = p.gap < -slack ? p.lower : p.gap;
-    return {p.lower, gap, p.normal, p.point_a, p.point_a + gap * p.normal};
+    using enum Core::Kind;
+    const V3 local = into(c.axes, p - c.centre), h = c.half_extents, corner = c.points[0] - p;
+    if (c.kind == hull) {
+        if (c.hull->faces.empty()) return infinity;
+        const double unit = norm(c.axes.x);
+        return unit * std::fabs(depth(*c.hull, (1 / (unit * unit)) * local));
+    }
+    if (c.kind == box) {
+        const V3 out = magnitudes(local) - h;
+        const double most = std::max({out.x, out.y, out.z});
+        return most > 0 ? norm(to_box(local, h)) : -most;
+    }
+    if (c.kind == ellipsoid) { // to first order
+        const V3 q{local.x / h.x, local.y / h.y, local.z / h.z};
+        return std::fabs(norm(q) - 1) * norm(q) / norm(V3{q.x / h.x, q.y / h.y, q.z / h.z});
+    }
+    if (c.kind == point) return norm(corner);
+    if (c.kind == segment) return norm(to_segment(corner, c.points[1] - p));
+    if (c.kind == triangle) return norm(to_triangle(corner, c.points[1] - p, c.points[2] - p));
+    return std::fabs(from_point(local, c).gap);
+}
+
+/// The point on A that lies together with the one at the end of the way out nearest to both surfaces: that
+/// told, or A's or B's foremost, where what grew within the difference has ended short of its surface.
+V3 deepest(const Core& a, const Core& b, V3 told, V3 normal, double gap, double slack)
+{
+    const V3 way = gap * normal;
+    V3 best = told;
+    double least = infinity;
+    for (const V3 candidate : {told, farthest(a, normal).point, farthest(b, -normal).point - way}) {
+        const double off = off_surface(a, candidate) + off_surface(b, candidate + way);
+        if (off < least) best = candidate, least = off;
+        if (least <= tolerance::agreed * slack) break;
+    }
+    return best;
+}
+
+/// Of cores that overlap for certain the gap is the way out that is known to clear them.
+Separation with_points(const Core& a, const Core& b, const Penetration& p, double slack)
+{
+    const bool overlap = p.gap < -slack;
+    const double gap = overlap ? p.lower : p.gap;
+    const V3 point_a = overlap ? deepest(a, b, p.point_a, p.normal, gap, slack) : p.point_a;
+    return {p.lower, gap, p.normal, point_a, point_a + gap * p.normal};
 }
 
 /// Cores of many corners or none, of which GJK was not certain.
 Separation by_support(const Core& a, const Core& b, const Closest& c, double slack)
 {
     const Axis ahead = along(a, b, c.v);
-    if (!(ahead.gap > slack)) return with_points(penetration(a, b, slack), slack);
+    if (!(ahead.gap > slack)) return with_points(a, b, penetration(a, b, slack), slack);
     const Separation near = refined(a, b, c, ahead, slack);
     if (doubt(near) <= tolerance::agreed * slack) return near;
-    const Separation other = with_points(separation_by_growth(a, b, slack), slack);
+    const Separation other = with_points(a, b, separation_by_growth(a, b, slack), slack);
     return other.lower > slack && doubt(other) < doubt(near) ? other : near;
 }
 
