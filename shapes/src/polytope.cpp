@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "polytope.h"
 
+#include "depth.h"
 #include "epa.h"
 #include "feature_pairs.h"
 #include "gjk.h"
@@ -172,15 +173,10 @@ double off_surface(const Core& c, V3 p)
 {
     using enum Core::Kind;
     const V3 local = into(c.axes, p - c.centre), h = c.half_extents, corner = c.points[0] - p;
-    if (c.kind == hull) {
-        if (c.hull->faces.empty()) return infinity;
-        const double unit = norm(c.axes.x);
-        return unit * std::fabs(depth(*c.hull, (1 / (unit * unit)) * local));
-    }
+    if (c.kind == hull) return c.hull->faces.empty() ? infinity : std::fabs(depth(c, p));
     if (c.kind == box) {
-        const V3 out = magnitudes(local) - h;
-        const double most = std::max({out.x, out.y, out.z});
-        return most > 0 ? norm(to_box(local, h)) : -most;
+        const double inside = depth(c, p);
+        return inside < 0 ? norm(to_box(local, h)) : inside;
     }
     if (c.kind == ellipsoid) { // to first order
         const V3 q{local.x / h.x, local.y / h.y, local.z / h.z};

@@ -21,7 +21,7 @@ static inline int exponent(double x)
     return e;
 }
 
-/// By lengths of no less than that power nothing is scaled up: its inverse is a normal number, too.
+/// Of the powers of two that lengths are divided by the least: its inverse is a normal number, too.
 inline constexpr int least_exponent = -1000;
 
 static inline V3 scaled(V3 v, int e)
