@@ -36,6 +36,10 @@ private:
     bool nearly() const { return sight_.upper - course_.radii <= course_.allowed(); }
     bool there() const { return sight_.upper - course_.radii <= course_.tolerance; }
     double horizon() const { return course_.window.end - course_.now(); }
+    bool leads_on(const Step& step) const
+    {
+        return step.gap > 0 && course_.now() + step.length > course_.now();
+    }
     bool spent() const { return course_.iterations >= course_.options.max_iterations; }
     Separation measured();
     Separation contact();
@@ -148,12 +152,12 @@ template <class Part> Toi Advance<Part>::approach()
             continue;
         }
         if (there()) return arrived();
-        if (!(step.gap > 0)) {
+        if (!leads_on(step)) {
             sight_ = watch_.look_hard(course_.facing());
             if (there()) return arrived();
             step = best_step();
         }
-        if (!(step.gap > 0)) return in_doubt();
+        if (!leads_on(step)) return in_doubt();
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
         if (next >= leap_.from) return land();
