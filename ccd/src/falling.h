@@ -16,6 +16,21 @@ static inline double falls(double above, double slope, double curvature)
     return root - slope > 0 ? 2 * above / (root - slope) : infinity;
 }
 
+/// The last h at which a concave function, which is not negative at 0, is not negative either; no later than
+/// the horizon.
+template <class Function> double last_kept(const Function& f, double horizon)
+{
+    constexpr int bisections = 48;
+    if (!(f(0) >= 0)) return 0;
+    if (f(horizon) >= 0) return horizon;
+    double good = 0, bad = horizon;
+    for (int i = 0; i < bisections; ++i) {
+        const double h = 0.5 * (good + bad);
+        (f(h) >= 0 ? good : bad) = h;
+    }
+    return good;
+}
+
 /// A gap, and how fast it grows.
 struct Trend {
     double now = 0, rate = 0;

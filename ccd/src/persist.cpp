@@ -4,6 +4,7 @@
 #include "depth.h"
 #include "falling.h"
 #include "gjk.h"
+#include "spindle.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -13,20 +14,7 @@ namespace brink {
 
 namespace {
 
-constexpr int bisections = 48, thirds = 12, narrowings = 4;
-
-/// The last h at which a concave function, which is not negative at 0, is not negative either.
-template <class Function> double last(const Function& f, double horizon)
-{
-    if (!(f(0) >= 0)) return 0;
-    if (f(horizon) >= 0) return horizon;
-    double good = 0, bad = horizon;
-    for (int i = 0; i < bisections; ++i) {
-        const double h = 0.5 * (good + bad);
-        (f(h) >= 0 ? good : bad) = h;
-    }
-    return good;
-}
+constexpr int thirds = 12, narrowings = 4;
 
 /// A point of one body, seen from the frame of another that turns: its velocity, and a bound of its
 /// acceleration.
@@ -48,7 +36,7 @@ Drift drift(const Posed<Of>& of, const Posed<From>& from, V3 velocity, V3 point,
 double inside(const Posed<Core>& of, const Posed<Core>& solid, V3 velocity, V3 point, double horizon)
 {
     const Drift d = drift(of, solid, velocity, point, solid.reach);
-    return last(
+    return last_kept(
         [&](double h) { return depth(solid.part, point + h * d.velocity) - 0.5 * d.acceleration * h * h; },
         horizon);
 }
@@ -87,8 +75,8 @@ double within(const Facing<Core>& f, V3 a, V3 b, double reach, double horizon)
     const V3 arm = b - f.b.pivot;
     const V3 velocity = f.velocity + cross(f.b.rate, arm) - cross(f.a.rate, a);
     const double acceleration = f.a.angle * f.a.angle * norm(a) + f.b.angle * f.b.angle * norm(arm);
-    return last([&](double h) { return reach - norm((b - a) + h * velocity) - 0.5 * acceleration * h * h; },
-                horizon);
+    return last_kept(
+        [&](double h) { return reach - norm((b - a) + h * velocity) - 0.5 * acceleration * h * h; }, horizon);
 }
 
 /// The way from a point of A to one of B as they move: how fast it changes, and bounds of that and of its
@@ -168,17 +156,6 @@ double overlapping(const Facing<Core>& f, const Separation& contact, double hori
     return best;
 }
 
-/// As long as the balls about both pivots that lie inside the cores stay within reach of each other, however
-/// the bodies turn. Not of hulls, whose depth has other last bits where the hull is scaled.
-double balls(const Facing<Core>& f, double reach, double horizon)
-{
-    if (f.a.part.kind == Core::Kind::hull || f.b.part.kind == Core::Kind::hull) return 0;
-    const double inside_a = depth(f.a.part, f.a.pivot), inside_b = depth(f.b.part, f.b.pivot);
-    if (!(inside_a >= 0 && inside_b >= 0)) return 0;
-    const double radii = inside_a + inside_b + reach;
-    return last([&](double h) { return radii - norm(f.b.pivot - f.a.pivot + h * f.velocity); }, horizon);
-}
-
 } // namespace
 
 double contact_step(const Facing<Core>& f, const Separation& contact, double reach, double horizon)
@@ -187,8 +164,9 @@ double contact_step(const Facing<Core>& f, const Separation& contact, double rea
     const V3 b = contact.point_b + f.b.part.radius * contact.normal;
     const double pair = within(f, a, b, reach, horizon);
     const double in_b = pierced(f.a, f.b, -f.velocity, a, horizon);
-    return std::max({pair, in_b, pierced(f.b, f.a, f.velocity, b, horizon), balls(f, reach, horizon),
-                     overlapping(f, contact, horizon)});
+    const double lasting =
+        std::max({pair, in_b, pierced(f.b, f.a, f.velocity, b, horizon), overlapping(f, contact, horizon)});
+    return lasting < horizon ? std::max(lasting, spindle_step(f, reach, horizon)) : lasting;
 }
 
 double contact_step(const Facing<Border>& f, const Separation&, double reach, double horizon)
@@ -200,11 +178,12 @@ double contact_step(const Facing<Border>& f, const Separation&, double reach, do
         const Drift d = drift(f.a, f.b, -f.velocity, p, norm(p - f.b.pivot) + speed * horizon);
         const double offset = dot(outward, border.normal) < 0 ? -border.offset : border.offset;
         const double above = dot(outward, p) - offset, rate = dot(outward, d.velocity);
-        return last([&](double h) { return reach - above - h * rate - 0.5 * d.acceleration * h * h; },
-                    horizon);
+        return last_kept([&](double h) { return reach - above - h * rate - 0.5 * d.acceleration * h * h; },
+                         horizon);
     };
     const double below = stays(border.normal);
-    return border.solid ? below : std::min(below, stays(-border.normal));
+    const double lasting = border.solid ? below : std::min(below, stays(-border.normal));
+    return lasting < horizon ? std::max(lasting, spindle_step(f, reach, horizon)) : lasting;
 }
 
 } // namespace brink
