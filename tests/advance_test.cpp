@@ -59,6 +59,48 @@ TEST_CASE("advancement: many turns are followed, not wrapped")
     CHECK(toi.t == doctest::Approx(contact).epsilon(1e-8));
 }
 
+TEST_CASE("advancement: a rotor that stays in place is watched for one turn of many")
+{
+    // 500 turns; its corners pass the ball, the block and the ground at least 0.015 away.
+    const Box rotor{Vec3(1, 0.1, 0.1)};
+    const double reach = std::sqrt(1.01);
+    const Motion spin = turning(Vec3(0, 0, 0), Vec3(0, 0, 1000 * pi));
+    const auto beside = [&](double gap) { return Vec3(reach + gap + 0.1, 0, 0); };
+    const auto ask = [&](const Shape& shape, const Motion& motion) {
+        const Toi toi = time_of_impact(rotor, spin, shape, motion);
+        CHECK(toi.iterations < 100);
+        return toi;
+    };
+    CHECK(ask(Sphere{0.1}, resting(beside(0.015))).status == Status::separated);
+    CHECK(ask(Box{Vec3(0.1, 0.1, 0.1)}, resting(beside(0.015))).status == Status::separated);
+    CHECK(ask(Cylinder{0.1, 0.1}, moving(beside(0.018), Vec3(-0.003, 0, 0))).status == Status::separated);
+    const Motion rolling = turning(Vec3(0, 0, reach + 0.015), Vec3(0, 1000 * pi, 0));
+    CHECK(time_of_impact(rotor, rolling, ground, resting()).status == Status::separated);
+    // Round a post, whose corners it passes as near; the hull of its way holds the post.
+    Motion orbit = turning(Vec3(2, 0, 0), Vec3(0, 0, 1000 * pi));
+    orbit.pivot = Vec3(-2, 0, 0);
+    const double half = (1.5 - 0.015) / std::sqrt(2.0);
+    const Box post{Vec3(half, half, 1)};
+    const Toi passed = time_of_impact(Box{Vec3(0.5, 0.3, 0.3)}, orbit, post, resting());
+    CHECK(passed.status == Status::separated);
+    CHECK(passed.iterations < 100);
+    orbit.translation = Vec3(0.012, 0.012, 0); // along a diagonal of the post
+    CHECK(time_of_impact(Box{Vec3(0.5, 0.3, 0.3)}, orbit, post, resting()).status != Status::separated);
+    // Two that mesh, one of them a quarter of a turn ahead, the other way round.
+    const Motion other{.start = {Vec3(1.5, 0, 0), Quat(std::sqrt(0.5), 0, 0, std::sqrt(0.5))},
+                       .rotation = Vec3(0, 0, -1000 * pi)};
+    CHECK(ask(rotor, other).status == Status::separated);
+    // What comes nearer slowly is met late in the step, and not before a corner passes.
+    const Toi met = ask(Sphere{0.1}, moving(beside(0.015), Vec3(-0.016, 0, 0)));
+    CHECK(met.status != Status::separated);
+    CHECK(met.t <= (0.015 / 0.016) + 0.001);
+    const Motion sinking{
+        .start = rolling.start, .translation = Vec3(0, 0, -0.016), .rotation = rolling.rotation};
+    const Toi sunk = time_of_impact(rotor, sinking, ground, resting());
+    CHECK(sunk.status != Status::separated);
+    CHECK(sunk.t <= (0.015 / 0.016) + 0.001);
+}
+
 TEST_CASE("advancement: turning half-spaces and planes sweep what they meet")
 {
     // The half-space turns about x through a point 2 below the ball: its surface rises towards +y.

@@ -7,7 +7,6 @@
 #include "leave.h"
 #include "sight.h"
 #include "stride.h"
-#include "support.h"
 #include "tolerance.h"
 
 #include <algorithm>
@@ -35,14 +34,14 @@ public:
 private:
     bool nearly() const { return sight_.upper - course_.radii <= course_.allowed(); }
     bool there() const { return sight_.upper - course_.radii <= course_.tolerance; }
-    double horizon() const { return course_.window.end - course_.now(); }
+    double horizon() const { return course_.end() - course_.now(); }
     bool leads_on(const Step& step) const
     {
         return step.gap > 0 && course_.now() + step.length > course_.now();
     }
     bool spent() const { return course_.iterations >= course_.options.max_iterations; }
     Separation measured();
-    Separation contact();
+    Separation contact() { return contact_at(course_, watch_, sight_); }
     void look();
     void go_on(const Step&);
     Step best_step() const;
@@ -74,6 +73,8 @@ template <class Part> void Advance<Part>::look()
     trail_.followed = 0;
     if (sight_.guessed || course_.iterations >= tolerance::quick_way)
         rolling_.see(sight_.normal, course_.now());
+    if (course_.iterations >= tolerance::long_way && leap_.from == infinity)
+        course_.begin_lap((sight_.upper < infinity ? sight_.upper : sight_.apart) - course_.radii);
 }
 
 template <class Part> Step Advance<Part>::best_step() const
@@ -100,7 +101,7 @@ template <class Part> bool Advance<Part>::coast(const Step& step)
         axis = step_at_hand(f, axis, followed, horizon());
         if (!(axis.length >= tolerance::worth_coasting * step.length)) break;
         const double next = course_.now() + axis.length;
-        if (next > course_.options.t_max || next >= course_.window.end) return true;
+        if (next > course_.options.t_max || next >= course_.end()) return true;
         course_.go(next);
     }
     return false;
@@ -152,6 +153,7 @@ template <class Part> Toi Advance<Part>::approach()
             continue;
         }
         if (there()) return arrived();
+        if (!leads_on(step) && course_.give_up_lap()) continue;
         if (!leads_on(step)) {
             sight_ = watch_.look_hard(course_.facing());
             if (there()) return arrived();
@@ -161,7 +163,7 @@ template <class Part> Toi Advance<Part>::approach()
         if (trail_.followed == 0) trail_.seen_gap = step.gap;
         const double next = course_.now() + step.length;
         if (next >= leap_.from) return land();
-        if (next > course_.options.t_max || next >= course_.window.end) return course_.apart();
+        if (next > course_.options.t_max || next >= course_.end()) return course_.apart();
         if (spent()) return in_doubt();
         course_.go(next);
         if (course_.iterations >= tolerance::long_way && coast(step)) return course_.apart();
@@ -175,22 +177,6 @@ template <class Part> Toi Advance<Part>::approach_anew()
     if (spent()) return course_.answer(Status::undecided, course_.separated());
     look();
     return approach();
-}
-
-/// The contact here: from the last look, a closer one, or all over.
-template <class Part> Separation Advance<Part>::contact()
-{
-    if constexpr (std::is_same_v<Part, Core>) {
-        const Facing<Core>& f = course_.facing();
-        const double doubt = tolerance::shown * course_.rounding;
-        if (const auto s = shown(sight_, f, doubt)) return *s;
-        if (!is_polytope(f.a.part) || !is_polytope(f.b.part)) {
-            const Sight close = watch_.look_closely(f);
-            if (const auto s = shown(close, f, std::max(doubt, tolerance::told * course_.tolerance)))
-                return *s;
-        }
-    }
-    return course_.separated();
 }
 
 template <class Part> Toi Advance<Part>::hit()
@@ -215,6 +201,7 @@ template <class Part> Toi Advance<Part>::run(const StartOracle& oracle, int spen
 /// Within the tolerance of contact: at the start, whichever look shows that, the question is whether in it.
 template <class Part> Toi Advance<Part>::arrived()
 {
+    course_.give_up_lap();
     const StartOracle* oracle = std::exchange(untold_, nullptr);
     if (oracle == nullptr || course_.now() > 0) return hit();
     const Separation start = course_.separated(sight_.best_normal());

@@ -87,6 +87,22 @@ double proven_contact(Course<Part>& course, const WatchOfPart& watch, const Sigh
 
 } // namespace
 
+Separation contact_at(const Course<Core>& course, Watch& watch, const Sight& sight)
+{
+    const Facing<Core>& f = course.facing();
+    const double doubt = tolerance::shown * course.rounding;
+    if (const auto s = shown(sight, f, doubt)) return *s;
+    if (!is_polytope(f.a.part) || !is_polytope(f.b.part)) {
+        const Sight close = watch.look_closely(f);
+        if (const auto s = shown(close, f, std::max(doubt, tolerance::told * course.tolerance))) return *s;
+    }
+    return course.separated();
+}
+Separation contact_at(const Course<Border>& course, const BorderWatch&, const Sight&)
+{
+    return course.separated();
+}
+
 double contact_by(Course<Core>& course, const Watch& watch, const Sight& sight)
 {
     return proven_contact(course, watch, sight);

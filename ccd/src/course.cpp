@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 namespace brink {
 
@@ -76,6 +77,26 @@ template <class Part> double Course<Part>::rounding_at_start() const
     const double distance = sum_of_magnitudes(b_.position - a_.position);
     return tolerance::certificate_slack *
            (distance + extent_at_start(a_) + extent_at_start(b_) + options.target_gap);
+}
+
+template <class Part> void Course<Part>::begin_lap(double gap)
+{
+    const Facing<Part>& f = facing_;
+    const double left = window.end - t_, lap = tolerance::whole_turn / std::max(f.a.angle, f.b.angle);
+    const double travel = norm(f.velocity), arc_a = f.a.angle * f.a.reach;
+    const double drift = f.a.angle == f.b.angle  ? travel
+                         : f.a.angle > f.b.angle ? fastest - arc_a
+                                                 : travel + arc_a;
+    const double kept = drift * left + slack;
+    if (lap_end_ < infinity || !(2 * lap < left) || !(kept < tolerance::spared * gap)) return;
+    lap_end_ = t_ + lap;
+    facing_.margin = radii + slack + kept;
+}
+
+template <class Part> bool Course<Part>::give_up_lap()
+{
+    facing_.margin = radii + slack;
+    return std::exchange(lap_end_, infinity) < infinity;
 }
 
 template <class Part> double Course<Part>::allowed() const

@@ -7,6 +7,8 @@
 
 #include <brink/toi.h>
 
+#include <algorithm>
+
 namespace brink {
 
 /// Two bodies on their way through the step, seen from A's pivot, and what an answer about them needs.
@@ -42,6 +44,13 @@ public:
     double allowed() const;
     /// What rounding may do to the gap at the start, where nothing has moved yet; at most.
     double rounding_at_start() const;
+    /// From here on a whole turn of the faster body, if the other one drifts so little until the end that a
+    /// part of the gap outlasts it: steps leave that, and after the turn every later one goes as this did.
+    void begin_lap(double gap);
+    /// Whether there was one to give up.
+    bool give_up_lap();
+    /// When a way without contact proves that there is none.
+    double end() const { return std::min(window.end, lap_end_); }
     /// Whether nothing that turns makes a difference.
     bool translates() const { return a_.turn.angle == 0 && b_.turn.angle == 0; }
 
@@ -62,7 +71,7 @@ private:
     const Mover<Core>& a_;
     const Mover<Part>& b_;
     V3 from_; // from A's pivot to B's at the start
-    double t_ = 0;
+    double t_ = 0, lap_end_ = infinity;
     Core part_a_; // placed
     Part part_b_;
     Facing<Part> facing_;

@@ -148,6 +148,11 @@ inline constexpr int most_coasted = 64; // steps to a look
 
 inline constexpr int most_strides = 2048; // in all
 
+/// A whole turn, and a little more. On a long way bodies that come back to where they were are watched over
+/// one, if what they drift until the end is less than this part of the gap.
+inline constexpr double whole_turn = 6.2831853071796 + 1e-10;
+inline constexpr double spared = 0.25;
+
 /// Up to so many corners are looked at one by one on such a way.
 inline constexpr int most_corners = 1024;
 
