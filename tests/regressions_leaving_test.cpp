@@ -243,7 +243,7 @@ TEST_CASE("regression: out of a deep contact that lasts for dozens of turns")
                      Vec3(-0x1.479d048d4ea5cp+8, 0x1.6ef2f8aae80a2p+7, 0x1.79db501939bffp+8),
                      Vec3(0x1.4c799191c9cep-3, 0x1.5a53a1afa9eep-4, -0x1.fa258f2aec17ep-3)},
               Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
-    check_meeting_again(
+    check(
         Query{Sphere{0x1.30d08b1f634dep+0},
               Motion{Pose{Vec3(-0x1.3ab3f7687a078p-1, 0x1.e2edac1e97cd8p-2, 0x1.f493b84aaa7bp-4),
                           Quat(0x1.6a09e667f3bcdp-1, 0, 0x1.6a09e667f3bcdp-1, 0)},

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-/// When a gap falls, as far as its value and its rate tell.
+/// When gaps fall, as far as their values and rates tell; and what concave functions are asked.
 namespace brink {
 
 /// Where the parabola above + slope h - curvature h^2 / 2 falls to zero.
@@ -29,6 +29,19 @@ template <class Function> double last_kept(const Function& f, double horizon)
         (f(h) >= 0 ? good : bad) = h;
     }
     return good;
+}
+
+/// About where between two places a concave function is highest.
+template <class Function> double highest_place(const Function& f, double low, double high, int thirds)
+{
+    for (int i = 0; i < thirds; ++i) {
+        const double third = (high - low) / 3, a = low + third, b = high - third;
+        if (f(a) < f(b))
+            low = a;
+        else
+            high = b;
+    }
+    return low;
 }
 
 /// A gap, and how fast it grows.

@@ -50,15 +50,8 @@ V3 deepest(const Core& of, const Core& solid, V3 point)
     const Separation s = separation(of, target);
     const bool apart = s.gap + of.radius > 0;
     const V3 way = (apart ? s.point_a - of.radius * s.normal : target.points[0]) - point;
-    double low = 0, high = 1;
-    for (int i = 0; i < thirds; ++i) { // depth is concave
-        const double third = (high - low) / 3, a = low + third, b = high - third;
-        if (depth(solid, point + a * way) < depth(solid, point + b * way))
-            low = a;
-        else
-            high = b;
-    }
-    return point + low * way;
+    const auto depth_at = [&](double part) { return depth(solid, point + part * way); }; // concave
+    return point + highest_place(depth_at, 0, 1, thirds) * way;
 }
 
 /// As long as such a point, or the one given, stays inside the core of the other.

@@ -57,15 +57,7 @@ template <class Other> Hub best_hub(const Posed<Core>& body, V3 towards, const O
         const V3 p = body.pivot + s * by;
         return depth_guessed(body.part, p) + other(p);
     };
-    double low = turns ? -1 : 0, high = 1;
-    for (int i = 0; i < thirds; ++i) {
-        const double third = (high - low) / 3, a = low + third, b = high - third;
-        if (sum(a) < sum(b))
-            low = a;
-        else
-            high = b;
-    }
-    const V3 at = body.pivot + low * by;
+    const V3 at = body.pivot + highest_place(sum, turns ? -1 : 0, 1, thirds) * by;
     return {at, depth_known(body.part, at)};
 }
 
