@@ -16,14 +16,10 @@ namespace {
 
 constexpr int newton_rounds = 8;
 
-/// The largest x . q over a body's points about its pivot.
-double reach_along(const Posed<Core>& body, V3 q) { return highest(body.part, q) - dot(q, body.pivot); }
-double reach_along(const Posed<Border>&, V3) { return 0; }
-
 /// phi(h) = value + slope h - curvature h^2 / 2 <= gap(t + h) for h in [0, horizon]: every pair of points at
 /// once, because the extreme points are those of an axis that moves linearly. phi is concave. Proof:
 /// numerics.md.
-template <class Part, class OfA = Shadow, class OfB = ShadowOf<Part>> class Bound {
+template <class Part, class Seen = Shadows<Part>> class Bound {
 public:
     Bound(const Facing<Part>& f, const TurningAxis& axis, double horizon)
         : f_(f),
@@ -31,11 +27,10 @@ public:
           rates_(pair(f.a.rate, f.b.rate)),
           relative_(rates_ - both(axis.spin)),
           shift_(cross(both(axis.normal), relative_)),
-          a_(f.a, axis.normal, first(shift_), 1),
-          b_(f.b, axis.normal, second(shift_), -1),
+          seen_(f.a, f.b, axis.normal, shift_),
           drift_(cross(axis.spin, axis.normal)),
           rest_{-f.margin, dot(axis.normal, f.velocity) + dot(drift_, f.b.pivot)},
-          now_((b_.now() - a_.now()) + rest_),
+          now_(seen_.now() + rest_),
           horizon_(horizon)
     {
     }
@@ -62,7 +57,7 @@ public:
         // The second derivative of n . x now is x . this.
         const XYZ<Two> normal = both(axis_.normal);
         const XYZ<Two> now = cross(normal, across) + cross(relative_, cross(relative_, normal));
-        const double bent = reach_along(f_.b, -second(now)) + reach_along(f_.a, first(now)) -
+        const double bent = Seen::reach(f_.a, f_.b, pair(first(now), -second(now))) -
                             dot(cross(axis_.spin, drift_), f_.b.pivot) - 2 * dot(drift_, f_.velocity);
         curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
     }
@@ -71,7 +66,7 @@ public:
     /// A bound of the second derivative whatever its sign.
     double either_way() const { return either_way_; }
     Line now() const { return now_; }
-    Line line(double h) const { return (b_.extreme(h) - a_.extreme(h)) + rest_; }
+    Line line(double h) const { return seen_.between(h) + rest_; }
     double bent(double h, Line l) const { return l.at(h) - 0.5 * curvature_ * h * h; }
     /// Where the parabola through this line falls to `level`; never before phi itself does.
     double reaches(double level, Line l) const
@@ -118,8 +113,7 @@ private:
     const Facing<Part>& f_;
     const TurningAxis& axis_;
     XYZ<Two> rates_, relative_, shift_; // A's and B's
-    OfA a_;
-    OfB b_;
+    Seen seen_;
     V3 drift_;
     Line rest_; // of the gap: what is the same for all points
     Line now_;
@@ -156,11 +150,11 @@ auto with_bound(const Facing<Part>& f, const TurningAxis& axis, double horizon, 
     using enum Core::Kind;
     if constexpr (std::is_same_v<Part, Core>) {
         const Core::Kind a = f.a.part.kind, b = f.b.part.kind;
-        if (a == box && b == box) return with(std::type_identity<Bound<Part, BoxShadow, BoxShadow>>{});
+        if (a == box && b == box) return with(std::type_identity<Bound<Part, BoxShadows>>{});
         if (a == segment && b == box)
-            return with(std::type_identity<Bound<Part, SegmentShadow, BoxShadow>>{});
+            return with(std::type_identity<Bound<Part, Shadows<Part, SegmentShadow, BoxShadow>>>{});
         if (a == segment && b == segment)
-            return with(std::type_identity<Bound<Part, SegmentShadow, SegmentShadow>>{});
+            return with(std::type_identity<Bound<Part, Shadows<Part, SegmentShadow, SegmentShadow>>>{});
     }
     return with(std::type_identity<Bound<Part>>{});
 }

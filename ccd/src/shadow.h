@@ -2,6 +2,7 @@
 #pragma once
 
 #include "certificate.h"
+#include "lanes.h"
 #include "support.h"
 
 #include <cmath>
@@ -119,6 +120,80 @@ private:
     double value_;
 };
 
-template <class Part> using ShadowOf = std::conditional_t<std::is_same_v<Part, Core>, Shadow, Level>;
+/// The largest x . q over a body's points about its pivot.
+static inline double reach_along(const Posed<Core>& body, V3 q)
+{
+    return highest(body.part, q) - dot(q, body.pivot);
+}
+static inline double reach_along(const Posed<Border>&, V3) { return 0; }
+
+/// The shadows of both bodies: A's axis moves with the first shift, B's with the second.
+template <class Part, class OfA = Shadow,
+          class OfB = std::conditional_t<std::is_same_v<Part, Core>, Shadow, Level>>
+class Shadows {
+public:
+    Shadows(const Posed<Core>& a, const Posed<Part>& b, V3 axis, const XYZ<Two>& shift)
+        : a_(a, axis, first(shift), 1), b_(b, axis, second(shift), -1)
+    {
+    }
+    Line now() const { return b_.now() - a_.now(); }
+    /// How far apart they are.
+    Line between(double h) const { return b_.extreme(h) - a_.extreme(h); }
+    /// The largest x . q over the points of A about its pivot, with the first q, and the same of B, added up.
+    static double reach(const Posed<Core>& a, const Posed<Part>& b, const XYZ<Two>& q)
+    {
+        return reach_along(b, second(q)) + reach_along(a, first(q));
+    }
+
+private:
+    OfA a_;
+    OfB b_;
+};
+
+/// The shadows of two boxes, A's numbers beside B's.
+class BoxShadows {
+public:
+    BoxShadows(const Posed<Core>& a, const Posed<Core>& b, V3 axis, const XYZ<Two>& shift)
+    {
+        const Core &c = a.part, &d = b.part;
+        const XYZ<Two> n = both(axis), centre = pair(c.centre, d.centre);
+        const auto half = [&](double of_a, double of_b, V3 axis_a, V3 axis_b) {
+            const XYZ<Two> axes = pair(axis_a, axis_b);
+            return Lines{Two{of_a, of_b} * dot(n, axes), Two{of_a, of_b} * dot(shift, axes)};
+        };
+        middle_ = {dot(n, centre), dot(shift, centre - pair(a.pivot, b.pivot))};
+        x_ = half(c.half_extents.x, d.half_extents.x, c.axes.x, d.axes.x);
+        y_ = half(c.half_extents.y, d.half_extents.y, c.axes.y, d.axes.y);
+        z_ = half(c.half_extents.z, d.half_extents.z, c.axes.z, d.axes.z);
+    }
+    Line now() const { return between(0); }
+    Line between(double h) const
+    {
+        const auto farther = [h](const Lines& l) {
+            const Two side = Two{1, -1} * (l.value + both(h) * l.slope);
+            return Lines{along(l.value, side), along(l.slope, side)};
+        };
+        const Lines x = farther(x_), y = farther(y_), z = farther(z_);
+        const Two value = middle_.value + x.value + y.value + z.value;
+        const Two slope = middle_.slope + x.slope + y.slope + z.slope;
+        return {value[1] - value[0], slope[1] - slope[0]};
+    }
+    static double reach(const Posed<Core>& a, const Posed<Core>& b, const XYZ<Two>& q)
+    {
+        const Core &c = a.part, &d = b.part;
+        const XYZ<Two> h = pair(c.half_extents, d.half_extents);
+        const auto size = [&](V3 axis_a, V3 axis_b) { return magnitude(dot(pair(axis_a, axis_b), q)); };
+        const Two sizes =
+            h.x * size(c.axes.x, d.axes.x) + h.y * size(c.axes.y, d.axes.y) + h.z * size(c.axes.z, d.axes.z);
+        const Two reach = dot(pair(c.centre, d.centre), q) + sizes - dot(q, pair(a.pivot, b.pivot));
+        return reach[1] + reach[0];
+    }
+
+private:
+    struct Lines {
+        Two value, slope;
+    };
+    Lines middle_, x_, y_, z_;
+};
 
 } // namespace brink

@@ -4,7 +4,9 @@
 #include "exact.h"
 #include "lanes.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace brink {
 
@@ -14,6 +16,7 @@ namespace {
 // turns (below 2^20) are exact (Cody and Waite 1980); what is left out is below 2^-157.
 constexpr double half_pi[] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69, 0x1.b839a252049c1p-104};
 constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
+constexpr double to_whole = 0x1.8p52; // added, it leaves the nearest whole number in the last bits
 
 struct Reduced {
     Pair angle;  // at most pi/4 (a little more by rounding), to 2^-100
@@ -23,14 +26,14 @@ struct Reduced {
 Reduced reduce(double angle)
 {
     if (std::fabs(angle) * two_over_pi < 0.5) return {{angle, 0}, 0};
-    const double turns = std::floor(angle * two_over_pi + 0.5);
+    const double shifted = angle * two_over_pi + to_whole, turns = shifted - to_whole;
     const double first =
         angle - turns * half_pi[0]; // exact: both are multiples of 2^-53, the result is below 1
     const Pair second = two_difference(first, turns * half_pi[1]);
     const Pair third = two_difference(second.hi, turns * half_pi[2]);
     const double tail = (second.lo + third.lo) - turns * half_pi[3];
     const Pair sum = two_sum(third.hi, tail);
-    return {sum, static_cast<int>(turns - 4 * std::floor(turns / 4))};
+    return {sum, static_cast<int>(std::bit_cast<std::uint64_t>(shifted) & 3U)};
 }
 
 // The Taylor series, whose remainders at pi/4 are below 2^-63 and 2^-59 of the result; T is double or Two.
