@@ -43,28 +43,27 @@ public:
         const XYZ<Two> across = cross(rates_, both(axis_.spin));
         const Bend of_each = bend(across, spin);
         curvature_ = of_each.second[0] + of_each.second[1];
-        double third = of_each.third[0] + of_each.third[1];
+        third_ = of_each.third[0] + of_each.third[1];
         if (spin > 0) {
             const Two away = norm(pair(f_.b.pivot, f_.b.pivot + horizon_ * f_.velocity));
             const Two moved = norm(pair(drift_, f_.velocity));
             const double far = std::max(away[0], away[1]), turn = moved[0], speed = moved[1];
             curvature_ += spin * turn * far + 2 * turn * speed;
-            third += spin * (spin * turn * far + 3 * turn * speed);
+            third_ += spin * (spin * turn * far + 3 * turn * speed);
         }
         either_way_ = curvature_;
         if (!(curvature_ * horizon_ * horizon_ > tolerance::much_curved * std::fabs(now_.value))) return;
         if (now_.value > 0 && reaches(0, now_) >= horizon_) return; // this will do
-        // The second derivative of n . x now is x . this.
-        const XYZ<Two> normal = both(axis_.normal);
-        const XYZ<Two> now = cross(normal, across) + cross(relative_, cross(relative_, normal));
-        const double bent = Seen::reach(f_.a, f_.b, pair(first(now), -second(now))) -
-                            dot(cross(axis_.spin, drift_), f_.b.pivot) - 2 * dot(drift_, f_.velocity);
-        curvature_ = std::min(curvature_, std::max(0.0, bent) + third * horizon_);
+        sharpen(across);
     }
 
     double curvature() const { return curvature_; }
-    /// A bound of the second derivative whatever its sign.
+    /// A bound of minus the second derivative; over all points where the shadows tell theirs over all
+    double steepest() const { return std::min(either_way_, curvature_ + 2 * third_ * horizon_ / 3); }
+    /// and of the second derivative whatever its sign.
     double either_way() const { return either_way_; }
+    /// As far as all this holds.
+    double horizon() const { return horizon_; }
     Line now() const { return now_; }
     Line line(double h) const { return seen_.between(h) + rest_; }
     double bent(double h, Line l) const { return l.at(h) - 0.5 * curvature_ * h * h; }
@@ -92,6 +91,24 @@ public:
     }
 
 private:
+    /// By the second derivatives now, as far as the third lets them change. A horizon that is not far beyond
+    /// where the bound falls makes both sharper.
+    void sharpen(const XYZ<Two>& across)
+    {
+        // The second derivative of n . x now is x . this.
+        const XYZ<Two> normal = both(axis_.normal);
+        const XYZ<Two> now = cross(normal, across) + cross(relative_, cross(relative_, normal));
+        const auto reach = Seen::reach(f_.a, f_.b, pair(first(now), -second(now)));
+        const double of_pivots = dot(cross(axis_.spin, drift_), f_.b.pivot) + 2 * dot(drift_, f_.velocity);
+        const auto until = [&](double h) {
+            return std::min(either_way_, std::max(0.0, seen_.until(h, reach) - of_pivots) + third_ * h / 3);
+        };
+        curvature_ = until(horizon_);
+        const double beyond = now_.value > 0 ? tolerance::beyond_fall * reaches(0, now_) : infinity;
+        if (!(beyond < horizon_)) return;
+        horizon_ = beyond;
+        curvature_ = until(horizon_);
+    }
     /// What each body adds to the bounds of the second and third derivative of n . x while n turns; none
     /// where the axis is glued to it.
     struct Bend {
@@ -117,7 +134,7 @@ private:
     V3 drift_;
     Line rest_; // of the gap: what is the same for all points
     Line now_;
-    double horizon_, curvature_ = 0, either_way_ = 0;
+    double horizon_, curvature_ = 0, either_way_ = 0, third_ = 0;
 };
 
 /// A bound of the second derivative of the distance of any two points, one of each body, that is never less
@@ -181,7 +198,7 @@ template <class Part> double rising_step(const Facing<Part>& f, const TurningAxi
     bound.bend_towards();
     const double level = bound.now().value;
     const auto [x, value] = bound.last(level);
-    if (x >= horizon && value >= level) return horizon;
+    if (value >= level) return x;
     const double half = 0.5 * x; // the top of a parabola; further on the bound falls again
     return bound.bent(half, bound.line(half)) >= level ? half : 0;
 }
@@ -193,7 +210,7 @@ double growing_step(const Facing<Border>& f, const TurningAxis& axis, double hor
     const double level = bound.now().value, rate = bound.now().slope;
     if (!(rate >= 0)) return 0;
     const double most = bound.last(level).h;
-    const double bent = 0.5 * (bound.curvature() + bound.either_way());
+    const double bent = 0.5 * (bound.steepest() + bound.either_way());
     double step = 0;
     for (const double h : {most, 0.5 * most}) {
         const Line l = bound.line(h);
@@ -220,7 +237,7 @@ double growing_step(const Facing<Core>& f, const TurningAxis& axis, const Separa
     bound.bend_towards();
     const double rate = trend(f, {(1 / distance) * (on_b - on_a), {}}, on_a, on_b).rate;
     const double bend = distance_bend(f, axis.spin, apart, horizon);
-    const double later = std::min(horizon, 2 * rate / (2 * bound.curvature() + bend));
+    const double later = std::min(bound.horizon(), 2 * rate / (2 * bound.curvature() + bend));
     const double gained = bound.bent(later, bound.line(later)) + f.margin - distance;
     const double spare = gained - 0.5 * bend * later * later;
     if (!(later > 0 && spare >= 0)) return 0;

@@ -140,10 +140,14 @@ public:
     /// How far apart they are.
     Line between(double h) const { return b_.extreme(h) - a_.extreme(h); }
     /// The largest x . q over the points of A about its pivot, with the first q, and the same of B, added up.
-    static double reach(const Posed<Core>& a, const Posed<Part>& b, const XYZ<Two>& q)
+    using Reach = double;
+    static Reach reach(const Posed<Core>& a, const Posed<Part>& b, const XYZ<Two>& q)
     {
         return reach_along(b, second(q)) + reach_along(a, first(q));
     }
+    /// That over points that are extreme along an axis that bends by q, n + h shift + h^2 / 2 q, somewhere up
+    /// to h; or over more.
+    static double until(double, Reach reach) { return reach; }
 
 private:
     OfA a_;
@@ -178,15 +182,26 @@ public:
         const Two slope = middle_.slope + x.slope + y.slope + z.slope;
         return {value[1] - value[0], slope[1] - slope[0]};
     }
-    static double reach(const Posed<Core>& a, const Posed<Core>& b, const XYZ<Two>& q)
+    struct Reach {
+        Two middle, x, y, z; // of the middle; of half an edge towards its end on the positive side
+    };
+    static Reach reach(const Posed<Core>& a, const Posed<Core>& b, const XYZ<Two>& q)
     {
         const Core &c = a.part, &d = b.part;
         const XYZ<Two> h = pair(c.half_extents, d.half_extents);
-        const auto size = [&](V3 axis_a, V3 axis_b) { return magnitude(dot(pair(axis_a, axis_b), q)); };
-        const Two sizes =
-            h.x * size(c.axes.x, d.axes.x) + h.y * size(c.axes.y, d.axes.y) + h.z * size(c.axes.z, d.axes.z);
-        const Two reach = dot(pair(c.centre, d.centre), q) + sizes - dot(q, pair(a.pivot, b.pivot));
-        return reach[1] + reach[0];
+        const auto along_q = [&](V3 axis_a, V3 axis_b) { return dot(pair(axis_a, axis_b), q); };
+        return {dot(pair(c.centre, d.centre) - pair(a.pivot, b.pivot), q), h.x * along_q(c.axes.x, d.axes.x),
+                h.y * along_q(c.axes.y, d.axes.y), h.z * along_q(c.axes.z, d.axes.z)};
+    }
+    double until(double h, const Reach& reach) const
+    {
+        // As long as an edge cannot turn over, its same end is the extreme one.
+        const auto of_end = [h](const Lines& l, Two q) {
+            const Two size = magnitude(q), moves = both(h) * (magnitude(l.slope) + both(0.5 * h) * size);
+            return select(magnitude(l.value) > moves, along(q, Two{1, -1} * l.value), size);
+        };
+        const Two most = reach.middle + of_end(x_, reach.x) + of_end(y_, reach.y) + of_end(z_, reach.z);
+        return most[1] + most[0];
     }
 
 private:

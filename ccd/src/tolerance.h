@@ -104,6 +104,8 @@ inline constexpr double rate_slack = 32 * unit_roundoff;
 /// Where the curvature of a bound takes more than this part of the gap over the whole horizon, a sharper one
 /// is worth two more support points: a guess, on which no answer's validity rests.
 inline constexpr double much_curved = 0.02;
+/// So many times as far as a bound is seen to fall its sharper form may hold: a guess, too.
+inline constexpr double beyond_fall = 1.3;
 
 /// Bounds of a gap that come this near, as a part of its rounding, show a contact as well as any (8 eps of
 /// the lengths): the same that distance() asks of itself.
