@@ -58,7 +58,7 @@ public:
     }
 
     double curvature() const { return curvature_; }
-    /// A bound of minus the second derivative; over all points where the shadows tell theirs over all
+    /// A bound of minus the second derivative of all pairs of points, but of boxes
     double steepest() const { return std::min(either_way_, curvature_ + 2 * third_ * horizon_ / 3); }
     /// and of the second derivative whatever its sign.
     double either_way() const { return either_way_; }

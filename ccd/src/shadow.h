@@ -139,8 +139,8 @@ public:
     Line now() const { return b_.now() - a_.now(); }
     /// How far apart they are.
     Line between(double h) const { return b_.extreme(h) - a_.extreme(h); }
-    /// The largest x . q over the points of A about its pivot, with the first q, and the same of B, added up.
     using Reach = double;
+    /// The largest x . q over the points of A about its pivot, with the first q, and the same of B, added up.
     static Reach reach(const Posed<Core>& a, const Posed<Part>& b, const XYZ<Two>& q)
     {
         return reach_along(b, second(q)) + reach_along(a, first(q));
@@ -154,7 +154,7 @@ private:
     OfB b_;
 };
 
-/// The shadows of two boxes, A's numbers beside B's.
+/// The same of two boxes, A's numbers beside B's.
 class BoxShadows {
 public:
     BoxShadows(const Posed<Core>& a, const Posed<Core>& b, V3 axis, const XYZ<Two>& shift)
@@ -182,6 +182,7 @@ public:
         const Two slope = middle_.slope + x.slope + y.slope + z.slope;
         return {value[1] - value[0], slope[1] - slope[0]};
     }
+    /// The parts of x . q that add up to it for every corner x.
     struct Reach {
         Two middle, x, y, z; // of the middle; of half an edge towards its end on the positive side
     };
