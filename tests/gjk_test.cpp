@@ -47,6 +47,32 @@ TEST_CASE("gjk: what it is certain of is so")
     CHECK(certain > 0.98 * apart); // the long way round is for the few
 }
 
+TEST_CASE("gjk: of cores farther apart than asked it proves that, and no more")
+{
+    NastyCores cores(101);
+    int proven = 0, near = 0;
+    for (int i = 0; i < 16'000; ++i) {
+        const auto [a, b] = cores.pair(kinds[i % 4], kinds[i / 4 % 4]);
+        CAPTURE(i);
+        const double scale = brute::scale(a, b), slack = 8 * eps * scale, rounding = 32 * eps * scale;
+        const double truth = brute::distance(a, b), apart = cores.random.between(0, 1.5) * truth;
+        const Closest c = gjk(a, b, {slack, 0.125, 0, apart});
+        if (c.inside) continue;
+        CHECK(c.lower <= truth + rounding);
+        if (c.lower > apart) {
+            CHECK(std::fabs(norm(c.normal) - 1) <= 4 * eps);
+            CHECK(std::fabs(gap_along(a, b, c.normal) - c.lower) <= rounding);
+            proven += c.certain ? 0 : 1;
+        }
+        if (c.certain) {
+            CHECK(norm(c.v) - c.lower <= 2 * slack + 0.125 * norm(c.v));
+            ++near;
+        }
+    }
+    CHECK(proven > 5'000);
+    CHECK(near > 3'000);
+}
+
 TEST_CASE("gjk: begun from the corners of a neighbouring pose it gives the same distance")
 {
     NastyCores cores(100);

@@ -25,8 +25,10 @@ void check_leap(const Core& a, const Core& b, const Motion& motion_a, const Moti
     course.go(course.window.begin);
     const double start = course.now();
     Watch watch(bodies.a.part, bodies.b.part, course.radii + course.tolerance);
+    Sight seen = watch.look(course.facing());
+    if (!watch.far_sighted()) seen = watch.look(course.facing());
     Leap found;
-    const bool leaps = leap(course, watch, watch.look(course.facing()), found);
+    const bool leaps = leap(course, watch, seen, found);
     if (!leaps) {
         CHECK(course.now() == start);
         ++tally.back;

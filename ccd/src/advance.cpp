@@ -61,6 +61,7 @@ private:
     Rolling rolling_;
     Trail trail_;
     bool first_ = true;
+    bool misled_ = false;                 // the features of the last look do not lead to contact
     int strides_ = 0;                     // without a look
     Leap leap_;                           // where steps lead to its start, what follows is proven
     const StartOracle* untold_ = nullptr; // of a start that no look has shown to be within the tolerance
@@ -71,6 +72,7 @@ template <class Part> void Advance<Part>::look()
     ++course_.iterations;
     sight_ = watch_.look(course_.facing());
     trail_.followed = 0;
+    misled_ = false;
     if (sight_.guessed || course_.iterations >= tolerance::quick_way)
         rolling_.see(sight_.normal, course_.now());
     if (course_.iterations >= tolerance::long_way && leap_.from == infinity)
@@ -111,10 +113,12 @@ template <class Part> bool Advance<Part>::coast(const Step& step)
 template <class Part> void Advance<Part>::go_on(const Step& step)
 {
     trail_.last_gap = step.gap;
-    if (!watch_.can_follow() || (first_ && !watch_.far_sighted())) return look();
+    const Facing<Part>& f = course_.facing();
+    const bool stale = misled_ && (f.a.angle + f.b.angle) * step.length > tolerance::far_turned;
+    if (!watch_.can_follow() || stale || (first_ && !watch_.far_sighted())) return look();
     ++trail_.followed;
-    sight_ = watch_.follow(course_.facing());
-    if (step.residual <= 0.5 * course_.tolerance) watch_.land(course_.facing(), sight_);
+    sight_ = watch_.follow(f);
+    if (step.residual <= 0.5 * course_.tolerance) watch_.land(f, sight_);
 }
 
 /// Whether what was just looked at shows a leap ahead that leaves no step to take before.
@@ -122,7 +126,8 @@ template <class Part> bool Advance<Part>::can_leap()
 {
     const bool blind = trail_.followed > 0 || (first_ && !watch_.far_sighted());
     if (blind || leap_.from < infinity || course_.iterations > tolerance::most_leaps || spent()) return false;
-    return brink::leap(course_, watch_, sight_, leap_) && course_.now() == leap_.at;
+    misled_ = !brink::leap(course_, watch_, sight_, leap_);
+    return !misled_ && course_.now() == leap_.at;
 }
 
 /// Where no step leads on: contact if the bodies are near enough all over, though looks have not shown it.

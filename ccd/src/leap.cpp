@@ -78,22 +78,29 @@ private:
     bool by_features()
     {
         Ends ends = nearest();
+        bool looked = true;
         for (int i = 0; i < tolerance::most_guesses; ++i) {
             const Pursuit way(course_.facing(), watch_.features(), ends.on_a, ends.on_b, sight_.axis.normal,
                               course_.radii, course_.now());
             const double next = way.falls_to(aim(), course_.tolerance, start_, course_.window.end);
-            if (next == course_.now() || !go(next)) return back();
-            sight_ = watch_.follow(course_.facing());
-            if (sight_.axis.normal == V3{}) return back();
-            watch_.land(course_.facing(), sight_);
-            if (const Step step = way_back(); step.gap > 0) return proven(step);
-            ends = extreme(course_.facing(), sight_);
-            if (!(dot(sight_.axis.normal, ends.on_b - ends.on_a) > course_.facing().margin)) continue;
+            // Where these never meet, others among many do so first.
+            const bool others = !looked && !(next < infinity) && !watch_.far_sighted();
+            if (!others) {
+                if (next == course_.now() || !go(next)) return back();
+                sight_ = watch_.follow(course_.facing());
+                if (sight_.axis.normal == V3{}) return back();
+                watch_.land(course_.facing(), sight_);
+                if (const Step step = way_back(); step.gap > 0) return proven(step);
+                ends = extreme(course_.facing(), sight_);
+                looked = false;
+                if (!(dot(sight_.axis.normal, ends.on_b - ends.on_a) > course_.facing().margin)) continue;
+            }
             if (!may_look()) return back();
-            sight_ = watch_.look(course_.facing());
+            sight_ = watch_.look_ahead(course_.facing());
             if (sight_.axis.normal == V3{} || sight_.guessed) return back();
             if (const Step step = way_back(); step.gap > 0) return proven(step);
             ends = nearest();
+            looked = true;
         }
         return back();
     }

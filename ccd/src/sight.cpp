@@ -4,6 +4,8 @@
 #include "support.h"
 #include "tolerance.h"
 
+#include <algorithm>
+
 namespace brink {
 
 namespace {
@@ -45,10 +47,19 @@ Watch::Watch(const Core& a, const Core& b, double nearby) : method_(method(a, b)
 
 Sight Watch::look(const Facing<Core>& f)
 {
+    const bool glances = can_glance();
+    Sight s = glances ? sight(f, glance(f)) : look_ahead(f);
+    if (!glances && s.normal == V3{}) s = look_hard(f);
+    return s;
+}
+
+Sight Watch::look_ahead(const Facing<Core>& f)
+{
     if (can_glance()) return sight(f, glance(f));
     if (method_ == Method::boxes) return look_at_boxes(f);
     if (!is_polytope(f.a.part) || !is_polytope(f.b.part)) return look_by_gjk(f, tolerance::near_enough);
-    return look_by_gjk(f, towards_ == V3{} ? tolerance::from_afar : 0);
+    if (!(towards_ == V3{})) return look_by_gjk(f, 0);
+    return look_by_gjk(f, tolerance::from_afar, std::max(nearby_, f.margin));
 }
 
 Sight Watch::sight(const Facing<Core>& f, const Glance& g) const
@@ -79,34 +90,42 @@ Sight Watch::look_at_boxes(const Facing<Core>& f)
     land(f, s);
     if (s.upper <= nearby_) return s;
     method_ = Method::any; // past the ends of both features: no separating axis shows that distance
-    return look_by_gjk(f, 0);
+    s = look_by_gjk(f, 0);
+    return s;
 }
 
-Sight Watch::look_closely(const Facing<Core>& f) { return look_by_gjk(f, 0); }
+Sight Watch::look_closely(const Facing<Core>& f)
+{
+    Sight s = look_by_gjk(f, 0);
+    if (s.normal == V3{}) s = look_hard(f);
+    return s;
+}
 
-Sight Watch::look_by_gjk(const Facing<Core>& f, double relative)
+/// Nothing where the cores overlap; no points and no features where they are proven to be more than `apart`.
+Sight Watch::look_by_gjk(const Facing<Core>& f, double relative, double apart)
 {
     const Core &a = f.a.part, &b = f.b.part;
     const double scale = f.a.reach + f.b.reach + norm(f.b.pivot);
     const Simplex start = corners_.known()   ? corners_.simplex(a, b)
                           : towards_ == V3{} ? Simplex{}
                                              : towards(a, b, towards_);
-    const Nearness near{tolerance::tight * scale, relative, f.margin};
+    const Nearness near{tolerance::tight * scale, relative, f.margin, apart};
     Closest c = gjk(a, b, near, start);
     // Rounding may close a flat simplex over the origin: the last axis knows whether they are apart.
     if (c.inside && gap_along(a, b, towards_) > 0) c = gjk(a, b, near, towards(a, b, towards_));
-    if (c.inside || c.normal == V3{}) return look_hard(f);
     Sight s;
+    if (c.inside || c.normal == V3{}) return s;
     s.normal = towards_ = c.normal;
     s.apart = c.lower;
+    s.axis = {c.normal, {}};
+    corners_ = Corners(c.simplex);
+    s.guessed = !corners_.known() || c.lower > apart;
+    if (c.lower > apart) return s;
     s.upper = norm(c.v);
     s.point_a = c.point_a;
     s.v = c.v;
     // The weights of a sliver put its point beside where its plane is nearest.
     s.astray = norm(c.simplex.point() - c.v);
-    corners_ = Corners(c.simplex);
-    s.guessed = !corners_.known();
-    s.axis = {c.normal, {}};
     if (!s.guessed) {
         features_ = corners_.features(c.simplex);
         s.axis = axis_of(f, features_, c.v, towards_);

@@ -48,6 +48,8 @@ public:
 
     /// An evaluation of the distance.
     Sight look(const Facing<Core>&);
+    /// The same from a place that may lie beyond contact: where cores overlap, nothing.
+    Sight look_ahead(const Facing<Core>&);
     /// Whether a closed form tells the nearest points, so that the axis can wait: that of
     bool can_glance() const { return method_ < Method::boxes; }
     Glance glance(const Facing<Core>& f) const
@@ -83,7 +85,7 @@ private:
     enum class Method : unsigned char { segments, thin_box, point_round, boxes, any };
     static Method method(const Core& a, const Core& b);
     Sight look_at_boxes(const Facing<Core>&);
-    Sight look_by_gjk(const Facing<Core>&, double relative);
+    Sight look_by_gjk(const Facing<Core>&, double relative, double apart = infinity);
 
     Method method_;
     double nearby_;
@@ -99,6 +101,7 @@ class BorderWatch {
 public:
     BorderWatch(const Core&, const Border&, double) {}
     static Sight look(const Facing<Border>&);
+    static Sight look_ahead(const Facing<Border>& f) { return look(f); }
     static Sight look_hard(const Facing<Border>& f) { return look(f); }
     static Sight look_hardest(const Facing<Border>& f) { return look(f); }
     static bool can_follow() { return true; }

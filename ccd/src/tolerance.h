@@ -128,6 +128,8 @@ inline constexpr double slow_step = 0.5;
 inline constexpr double worth_landing = 0.1;
 /// and the axis must prove this much of it.
 inline constexpr double stale_features = 0.5;
+/// when they led to no leap and the bodies have turned by this since (radians, of both together).
+inline constexpr double far_turned = 0.4;
 
 /// After so many looks the features that were seen do not tell how the axis turns: likewise a guess.
 inline constexpr int quick_way = 8;

@@ -17,9 +17,8 @@ constexpr int most_rounds = 128;
 /// Only near the distance can a corner turn up again: before, nobody has to look.
 constexpr double nearly_there = 0.99;
 
-void put_corner_towards_origin(Simplex::Corner& c, const Core& a, const Core& b, V3 v)
+void put_corner_of_others(Simplex::Corner& c, const Core& a, const Core& b, const V3& v)
 {
-    if (a.kind == Core::Kind::hull && b.kind == Core::Kind::hull) return put_corner_of_hulls(c, a, b, v);
     const SupportPoint on_a = farthest(a, v), on_b = farthest(b, -v);
     c.w = on_b.point - on_a.point;
     c.on_a = on_a.point;
@@ -27,6 +26,13 @@ void put_corner_towards_origin(Simplex::Corner& c, const Core& a, const Core& b,
     c.in_a = on_a.corner;
     c.in_b = on_b.corner;
     c.weight = 1;
+}
+
+/// The corner of the difference B - A that lies farthest against v.
+void put_corner(Simplex::Corner& c, const Core& a, const Core& b, const V3& v)
+{
+    const bool hulls = a.kind == Core::Kind::hull && b.kind == Core::Kind::hull;
+    return hulls ? put_corner_of_hulls(c, a, b, v) : put_corner_of_others(c, a, b, v);
 }
 
 /// The different corners of one core that a simplex uses.
@@ -100,7 +106,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
     Simplex& s = c.simplex;
     s.size = start.size;
     std::copy_n(start.corners, start.size, s.corners);
-    if (s.size == 0) put_corner_towards_origin(s.corners[s.size++], a, b, middle(b) - middle(a));
+    if (s.size == 0) put_corner(s.corners[s.size++], a, b, middle(b) - middle(a));
     const Simplex::Needed at_first = s.nearest(Simplex::Origin::anywhere);
     c.inside = at_first.count == 4;
     if (!c.inside) c.v = s.nearest_point(at_first);
@@ -109,7 +115,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
         const double square = norm_squared(c.v), distance = std::sqrt(square);
         if (!(distance > near.slack)) break;
         Simplex::Corner& corner = s.corners[s.size]; // counted as soon as it is needed
-        put_corner_towards_origin(corner, a, b, c.v);
+        put_corner(corner, a, b, c.v);
         const double inverse = 1 / distance, lower = inverse * dot(c.v, corner.w);
         const V3 axis = inverse * c.v;
         if (lower > c.lower) c.lower = lower, c.normal = axis;
@@ -117,6 +123,7 @@ Closest gjk(const Core& a, const Core& b, Nearness near, const Simplex& start)
             return upper - lower > near.slack + near.relative * std::max(0.0, upper - near.reach);
         };
         if (!far(distance)) {
+            if (c.lower > near.apart) return c; // from afar the axis is all that is wanted
             const double enough = near.slack + near.relative * distance;
             if (has_corners) settle(c);
             if (has_corners && far(norm(c.v))) break; // of a sliver

@@ -6,7 +6,7 @@
 
 namespace brink {
 
-/// Where two cores come nearest, radii left out, as far as GJK could tell.
+/// Where two cores come nearest, radii left out, as far as GJK could tell and was asked to.
 struct Closest {
     Closest() {}              // NOLINT(modernize-use-equals-default): as in Core
     bool certain = false;     // lower and upper bound of the distance agree within the slack asked for
@@ -20,9 +20,10 @@ struct Closest {
 
 /// How near the two bounds of a distance must come.
 struct Nearness {
-    double slack = 0;    // length
-    double relative = 0; // part of what the distance has beyond `reach`
-    double reach = 0;    // length
+    double slack = 0;        // length
+    double relative = 0;     // part of what the distance has beyond `reach`
+    double reach = 0;        // length
+    double apart = infinity; // length: of cores proven to be farther apart the axis will do, without points
 };
 
 /// The algorithm of Gilbert, Johnson and Keerthi (1988), as van den Bergen tells it (Collision Detection in

@@ -168,6 +168,7 @@ Hull Hull::from_points(std::span<const Vec3> points)
     place_corners(*data, corners);
     bound(*data, all, surface);
     if (surface.convex() && surface.corner_count() == corners.size()) connect(*data, surface, place);
+    data->search = quickest_search(*data);
     return Hull(std::move(data));
 }
 

@@ -24,11 +24,16 @@ struct alignas(64) HullData {
         double x[2], y[2], z[2], offset[2];
     };
 
+    /// How the corner farthest along a direction is found soonest: by looking at all of them, in wide
+    /// registers where the machine has such, or by walking from one to the next.
+    enum class Search : unsigned char { wide_scan, scan, climb };
+
     double unit = 1;
     double reach = 0; // the largest sum of a corner's coordinates without their signs
     V3 middle;        // of a ball that holds all corners,
     double ball = 0;  // and its radius
     int count = 0;    // of the corners
+    Search search = Search::scan;
     std::vector<Corners> corners;
     // What is on the near side of all of these is proven to lie in the hull. Empty where none are known; of
     // an odd number the last plane is as far as can be.
@@ -58,6 +63,8 @@ template <class T> void expect(const std::vector<T>& all)
         __builtin_prefetch(bytes + k);
 }
 
+/// Of a hull that is complete but for that.
+HullData::Search quickest_search(const HullData&);
 /// The corner that lies farthest along d.
 int farthest(const HullData&, V3 d);
 /// How far a point is from the nearest of the planes, on the near side of all of them; else not positive.

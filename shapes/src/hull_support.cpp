@@ -125,12 +125,6 @@ struct Wide {
 }
 #endif
 
-bool is_scanned(const HullData& h) { return h.count <= most_scanned || h.neighbours.empty(); }
-
-#ifdef __x86_64__
-bool is_scanned_by_four(const HullData& h) { return is_scanned(h) && __builtin_cpu_supports("avx2") != 0; }
-#endif
-
 /// The highest of every so-manieth corner.
 int sample(const HullData& h, V3 d, int stride)
 {
@@ -166,9 +160,21 @@ int climb(const HullData& h, V3 d)
 
 } // namespace
 
-int farthest(const HullData& h, V3 d) { return is_scanned(h) ? scan(h, d) : climb(h, d); }
+HullData::Search quickest_search(const HullData& h)
+{
+    if (h.count > most_scanned && !h.neighbours.empty()) return HullData::Search::climb;
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx2") != 0) return HullData::Search::wide_scan;
+#endif
+    return HullData::Search::scan;
+}
 
-/// Apart from what is usual, which then has nothing to save on its way in.
+int farthest(const HullData& h, V3 d)
+{
+    return h.search == HullData::Search::climb ? climb(h, d) : scan(h, d);
+}
+
+/// These two apart from what is usual, which then has nothing to save on its way in.
 [[gnu::noinline]] static SupportPoint farthest_one_by_one(const Core& c, const V3& d)
 {
     const int k = farthest(*c.hull, into(c.axes, d));
@@ -178,18 +184,24 @@ int farthest(const HullData& h, V3 d) { return is_scanned(h) ? scan(h, d) : clim
 SupportPoint farthest_of_hull(const Core& c, const V3& d)
 {
 #ifdef __x86_64__
-    if (is_scanned_by_four(*c.hull)) return farthest_by_four(c, d);
+    if (c.hull->search == HullData::Search::wide_scan) return farthest_by_four(c, d);
 #endif
     return farthest_one_by_one(c, d);
+}
+
+[[gnu::noinline]] static void put_one_by_one(Simplex::Corner& c, const Core& a, const Core& b, const V3& v)
+{
+    const SupportPoint on_a = farthest_one_by_one(a, v), on_b = farthest_one_by_one(b, -v);
+    c = {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
 }
 
 void put_corner_of_hulls(Simplex::Corner& c, const Core& a, const Core& b, const V3& v)
 {
 #ifdef __x86_64__
-    if (is_scanned(*a.hull) && is_scanned_by_four(*b.hull)) return put_by_four(c, a, b, v);
+    const auto wide = [](const Core& core) { return core.hull->search == HullData::Search::wide_scan; };
+    if (wide(a) && wide(b)) return put_by_four(c, a, b, v);
 #endif
-    const SupportPoint on_a = farthest_one_by_one(a, v), on_b = farthest_one_by_one(b, -v);
-    c = {on_b.point - on_a.point, on_a.point, on_b.point, on_a.corner, on_b.corner, 1};
+    put_one_by_one(c, a, b, v);
 }
 
 V3 face_towards(const Core& c, V3 d)
