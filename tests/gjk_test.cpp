@@ -47,7 +47,7 @@ TEST_CASE("gjk: what it is certain of is so")
     CHECK(certain > 0.98 * apart); // the long way round is for the few
 }
 
-TEST_CASE("gjk: of cores farther apart than asked it proves that, and no more")
+TEST_CASE("gjk: of cores proven farther apart than asked the axis proves what it says")
 {
     NastyCores cores(101);
     int proven = 0, near = 0;
