@@ -120,6 +120,44 @@ TEST_CASE("cores apart: a face that is nearly at right angles to the way is the 
     CHECK(beside < 20); // of flat hulls, and where other edges count than those of the corners found
 }
 
+TEST_CASE("needles that all but touch: bounds of the gap that agree, where so short a way tells no axis")
+{
+    Random random(107);
+    int asked = 0;
+    for (int i = 0; i < 6'000; ++i) {
+        const auto needle = [&](double width, int count) {
+            std::vector<Vec3> points;
+            for (int k = 0; k < count; ++k) {
+                const Vec3 p = random.in_cube(1);
+                points.emplace_back(p.x(), width * p.y(), width * p.z());
+            }
+            return Hull::from_points(points);
+        };
+        const double width = random.log_between(1e-9, 1), length = random.between(0, 1);
+        const int count = 4 + random.index(6), other_count = 4 + random.index(6);
+        const Hull thin = needle(random.log_between(1e-7, 1e-2), count), other = needle(width, other_count);
+        const Core bar = core(Box{{length, width, width}});
+        const Core local = i % 3 == 0 ? bar : core(other);
+        const Quat turned = random.rotation(), other_turned = random.rotation();
+        const Core a = placed(core(thin), rotation(turned), {});
+        Core b = placed(local, rotation(other_turned), load(random.in_cube(1)));
+        const double gap = random.log_between(1e-13, 1e-4);
+        for (int k = 0; k < 4; ++k) {
+            const Separation s = separation(a, b);
+            b = placed(b, {}, (gap - s.gap) * s.normal);
+        }
+        const Separation s = separation(a, b);
+        const double size = scale(a, b);
+        if (!(s.gap > 8 * eps * size)) continue;
+        CAPTURE(i);
+        CHECK(s.gap - s.lower <= 16 * eps * size);
+        CHECK(std::fabs(s.lower - gap_along(a, b, s.normal)) <= 16 * eps * size);
+        CHECK(norm(s.point_b - s.point_a - s.gap * s.normal) <= 64 * eps * size);
+        ++asked;
+    }
+    CHECK(asked > 5'000);
+}
+
 TEST_CASE("a ball as ellipsoid, a box as hull: the same as themselves")
 {
     Random random(82);

@@ -9,6 +9,7 @@ namespace brink {
 struct NearestPair {
     double square = infinity; // |v|^2
     V3 point_a, v;
+    V3 across; // at right angles to the two features, truer than a short v; zero where nobody asked
 };
 
 /// A core of at most eight corners and those of them that are asked about, a bit each. An edge counts when
@@ -22,5 +23,17 @@ struct Patch {
 /// form. That is the distance between the cores, radii left out, when they do not overlap. Long (some
 /// microseconds for two boxes) but with nothing in it that could go astray.
 NearestPair nearest_features(const Patch& a, const Patch& b);
+
+/// A few corners of a polytope: those that lie foremost along n.
+struct Foremost {
+    Foremost(const Core&, V3 n);
+    static constexpr int most = 8;
+    int count = 0;
+    V3 points[most];
+};
+
+/// The same of the hulls of such corners, whatever their features are: every point against every triangle,
+/// and every segment against every other. With what lies across.
+NearestPair nearest_features(const Foremost& a, const Foremost& b);
 
 } // namespace brink

@@ -148,9 +148,38 @@ Axis by_neighbours(const Core& a, const Core& b, Axis best, const Closest& c, do
     return best;
 }
 
+/// Polytopes apart, whose axis and points do not show the same gap: by what lies foremost along the axis,
+/// nearer points or a better axis or both.
+Separation by_foremost(const Core& a, const Core& b, const Separation& told, double slack)
+{
+    Foremost of_a(a, told.normal), of_b(b, -told.normal);
+    const NearestPair pair = nearest_features(of_a, of_b);
+    const double distance = std::sqrt(pair.square), enough = distance - slack;
+    Axis axis = preferred({told.lower, told.normal}, along(a, b, pair.v), enough);
+    const auto ask = [&](V3 n) {
+        if (axis.gap < enough) axis = preferred(axis, along(a, b, dot(n, pair.v) < 0 ? -n : n), enough);
+    };
+    ask(pair.across);
+    for (const Foremost* points : {&of_a, &of_b})
+        for (int i = 0; i < points->count; ++i)
+            for (int k = 0; k < i; ++k)
+                ask(across(pair.v, points->points[i] - points->points[k]));
+    if (!(distance < told.gap) && !(axis.gap >= enough))
+        return {axis.gap, told.gap, axis.normal, told.point_a, told.point_b};
+    const V3 way = axis.gap * axis.normal;
+    if (axis.gap < enough || norm(pair.v - way) <= slack)
+        return {std::min(axis.gap, distance), distance, axis.normal, pair.point_a, pair.point_a + pair.v};
+    // So short a way leads aside: what touches once B is moved along the axis lies at its ends.
+    for (int k = 0; k < of_b.count; ++k)
+        of_b.points[k] = of_b.points[k] - way;
+    const NearestPair rest = nearest_features(of_a, of_b);
+    return {axis.gap, axis.gap, axis.normal, rest.point_a, rest.point_a + (way + rest.v)};
+}
+
 bool has_round(const Core& a, const Core& b) { return !is_polytope(a) || !is_polytope(b); }
 
 double doubt(const Separation& s) { return s.gap - s.lower; }
+double aside(const Separation& s) { return norm(s.point_b - s.point_a - s.gap * s.normal); }
 
 /// Cores apart: what GJK found, and where one is round a better axis, of which GJK knows half of the digits
 /// or so.
@@ -215,12 +244,16 @@ Separation with_points(const Core& a, const Core& b, const Penetration& p, doubl
 /// Cores of many corners or none, of which GJK was not certain.
 Separation by_support(const Core& a, const Core& b, const Closest& c, double slack)
 {
-    const Axis ahead = along(a, b, c.v);
-    if (!(ahead.gap > slack)) return with_points(a, b, penetration(a, b, slack), slack);
-    const Separation near = refined(a, b, c, ahead, slack);
-    if (doubt(near) <= tolerance::agreed * slack) return near;
-    const Separation other = with_points(a, b, separation_by_growth(a, b, slack), slack);
-    return other.lower > slack && doubt(other) < doubt(near) ? other : near;
+    const Axis ahead = preferred({c.lower, c.normal}, along(a, b, c.v), norm(c.v) - slack);
+    const bool apart = ahead.gap > slack;
+    Separation near =
+        apart ? refined(a, b, c, ahead, slack) : with_points(a, b, penetration(a, b, slack), slack);
+    if (apart && doubt(near) > tolerance::agreed * slack) {
+        const Separation other = with_points(a, b, separation_by_growth(a, b, slack), slack);
+        if (other.lower > slack && doubt(other) < doubt(near)) near = other;
+    }
+    if (has_round(a, b) || !(near.lower > slack)) return near;
+    return doubt(near) > slack || aside(near) > slack ? by_foremost(a, b, near, slack) : near;
 }
 
 } // namespace
