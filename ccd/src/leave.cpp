@@ -118,7 +118,8 @@ public:
           highest_(now),
           apart_(start == Start::near_contact),
           start_(course.answer(Status::touching, now)),
-          blind_(course.options.start_contact == StartContact::ignore)
+          blind_(course.options.start_contact == StartContact::ignore),
+          surely_apart_(course.options.start_contact == StartContact::report)
     {
     }
     std::optional<Toi> run();
@@ -129,7 +130,7 @@ private:
     bool fell_back();
     bool long_watched() const;
     bool holds() const;
-    bool out_of_doubt() const { return gap(highest_) > tolerance::shown * course_.rounding; }
+    bool out_of_doubt() const { return surely_apart_ || gap(highest_) > tolerance::shown * course_.rounding; }
     double step_away() const;
     double step_in_contact() const;
     double coast(double step, double t_end);
@@ -151,8 +152,9 @@ private:
     double highest_at_ = 0;
     bool apart_; // has been beyond the target gap, as far as can be told
     Toi start_;
-    bool blind_;      // the way out of contact need not be proven
-    int strides_ = 0; // without an evaluation
+    bool blind_;        // the way out of contact need not be proven
+    bool surely_apart_; // at the start: where contact is reported, one in doubt is contact already
+    int strides_ = 0;   // without an evaluation
 };
 
 /// Goes on by `step`, unless that passes `t_end` or the budget is spent.
