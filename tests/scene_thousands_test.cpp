@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every scene against brute force over all pairs, bit for bit: of thousands of bodies, with each layer on and
-// off, and on any number of threads. Of fewer under sanitizers.
+// off, and on any number of threads.
 #include "parallel.h"
-#include "sanitized.h"
 #include "scene_brute.h"
 #include "scenes.h"
 
@@ -26,7 +25,7 @@ using support::SceneModel;
 
 namespace {
 
-constexpr std::size_t many = support::sanitized ? 300 : 3000, some = support::sanitized ? 150 : 1000;
+constexpr std::size_t many = 3000, some = 1000;
 
 void check_equal(std::span<const Impact> got, const std::vector<Impact>& want)
 {

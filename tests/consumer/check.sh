@@ -26,4 +26,4 @@ echo "== the same with -march=native against the library as installed"
 [ "${BRINK_CONSUMER:-}" != installed ] || exit 0
 echo "== add_subdirectory"
 consumer "$scratch/checkout" -DBRINK_CHECKOUT="$checkout" "$@" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= \
-    -DBRINK_BATCHES="brink_shapes;brink_ccd" # sooner built
+    -DBRINK_BATCHES="brink_shapes;brink_ccd" -DBRINK_PRECOMPILE=ON # sooner built
