@@ -169,7 +169,7 @@ Penetration penetration(const Core& a, const Core& b, double slack)
 Penetration separation_by_growth(const Core& a, const Core& b, double slack)
 {
     Penetration p = expanded(a, b, slack, slack);
-    if (!(p.lower > slack) || (is_polytope(a) && is_polytope(b))) return p;
+    if (!(p.lower > slack)) return p;
     p = polished(a, b, p, slack);
     p.gap = std::max(p.lower, norm(p.v));
     return p;

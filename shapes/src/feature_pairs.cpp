@@ -56,7 +56,7 @@ const NearestPair& nearer(const NearestPair& best, const NearestPair& other)
     return other.square < best.square ? other : best;
 }
 
-NearestPair between(V3 point_a, V3 v) { return {norm_squared(v), point_a, v, {}}; }
+NearestPair between(V3 point_a, V3 v) { return {norm_squared(v), point_a, v}; }
 
 /// Of the segments from p to p_end and from q to q_end.
 NearestPair between_segments(V3 p, V3 p_end, V3 q, V3 q_end)
@@ -136,28 +136,21 @@ Foremost::Foremost(const Core& c, V3 n)
 NearestPair nearest_features(const Foremost& a, const Foremost& b)
 {
     NearestPair best;
-    const auto take = [&](const NearestPair& found, const auto& across) {
-        if (!(found.square < best.square)) return;
-        best = found;
-        best.across = across();
-    };
     for_each_triangle(b, [&](V3 p, V3 q, V3 r) {
         for (int i = 0; i < a.count; ++i) {
             const V3 point = a.points[i];
-            take(between(point, to_triangle(p - point, q - point, r - point)),
-                 [&] { return face_normal(p, q, r); });
+            best = nearer(best, between(point, to_triangle(p - point, q - point, r - point)));
         }
     });
     for_each_triangle(a, [&](V3 p, V3 q, V3 r) {
         for (int i = 0; i < b.count; ++i) {
             const V3 point = b.points[i], v = to_triangle(p - point, q - point, r - point);
-            take(between(point + v, -v), [&] { return face_normal(p, q, r); });
+            best = nearer(best, between(point + v, -v));
         }
     });
     for_each_segment(a, [&](V3 p, V3 p_end) {
-        for_each_segment(b, [&](V3 q, V3 q_end) {
-            take(between_segments(p, p_end, q, q_end), [&] { return common_normal(p_end - p, q_end - q); });
-        });
+        for_each_segment(b,
+                         [&](V3 q, V3 q_end) { best = nearer(best, between_segments(p, p_end, q, q_end)); });
     });
     return best;
 }

@@ -9,7 +9,6 @@ namespace brink {
 struct NearestPair {
     double square = infinity; // |v|^2
     V3 point_a, v;
-    V3 across; // at right angles to the two features, truer than a short v; zero where nobody asked
 };
 
 /// A core of at most eight corners and those of them that are asked about, a bit each. An edge counts when
@@ -33,7 +32,7 @@ struct Foremost {
 };
 
 /// The same of the hulls of such corners, whatever their features are: every point against every triangle,
-/// and every segment against every other. With what lies across.
+/// and every segment against every other.
 NearestPair nearest_features(const Foremost& a, const Foremost& b);
 
 } // namespace brink

@@ -156,14 +156,12 @@ Separation by_foremost(const Core& a, const Core& b, const Separation& told, dou
     const NearestPair pair = nearest_features(of_a, of_b);
     const double distance = std::sqrt(pair.square), enough = distance - slack;
     Axis axis = preferred({told.lower, told.normal}, along(a, b, pair.v), enough);
-    const auto ask = [&](V3 n) {
-        if (axis.gap < enough) axis = preferred(axis, along(a, b, dot(n, pair.v) < 0 ? -n : n), enough);
-    };
-    ask(pair.across);
-    for (const Foremost* points : {&of_a, &of_b})
-        for (int i = 0; i < points->count; ++i)
-            for (int k = 0; k < i; ++k)
-                ask(across(pair.v, points->points[i] - points->points[k]));
+    for (const Foremost* some : {&of_a, &of_b})
+        for (int i = 0; i < some->count; ++i)
+            for (int k = 0; k < i && axis.gap < enough; ++k) {
+                const V3 n = across(pair.v, some->points[i] - some->points[k]);
+                axis = preferred(axis, along(a, b, n), enough);
+            }
     if (!(distance < told.gap) && !(axis.gap >= enough))
         return {axis.gap, told.gap, axis.normal, told.point_a, told.point_b};
     const V3 way = axis.gap * axis.normal;
@@ -244,16 +242,17 @@ Separation with_points(const Core& a, const Core& b, const Penetration& p, doubl
 /// Cores of many corners or none, of which GJK was not certain.
 Separation by_support(const Core& a, const Core& b, const Closest& c, double slack)
 {
-    const Axis ahead = preferred({c.lower, c.normal}, along(a, b, c.v), norm(c.v) - slack);
+    const Axis ahead = along(a, b, c.v);
     const bool apart = ahead.gap > slack;
-    Separation near =
+    const Separation near =
         apart ? refined(a, b, c, ahead, slack) : with_points(a, b, penetration(a, b, slack), slack);
-    if (apart && doubt(near) > tolerance::agreed * slack) {
-        const Separation other = with_points(a, b, separation_by_growth(a, b, slack), slack);
-        if (other.lower > slack && doubt(other) < doubt(near)) near = other;
+    if (!has_round(a, b)) {
+        const bool shown = doubt(near) <= slack && aside(near) <= slack;
+        return shown || !(near.lower > slack) ? near : by_foremost(a, b, near, slack);
     }
-    if (has_round(a, b) || !(near.lower > slack)) return near;
-    return doubt(near) > slack || aside(near) > slack ? by_foremost(a, b, near, slack) : near;
+    if (!apart || doubt(near) <= tolerance::agreed * slack) return near;
+    const Separation other = with_points(a, b, separation_by_growth(a, b, slack), slack);
+    return other.lower > slack && doubt(other) < doubt(near) ? other : near;
 }
 
 } // namespace
