@@ -24,8 +24,8 @@ struct Penetration {
 /// cores must be scaled so that products of five lengths neither overflow nor vanish.
 Penetration penetration(const Core& a, const Core& b, double slack);
 
-/// The same of cores, at least one of them round, that are known to be apart: where the polytope comes nearest
-/// to the origin, found as GJK finds it, but with all that it saw on the way.
+/// The same of cores, at least one of them round, that are known to be apart: where the polytope comes
+/// nearest to the origin, found as GJK finds it, but with all that it saw on the way.
 Penetration separation_by_growth(const Core& a, const Core& b, double slack);
 
 } // namespace brink
