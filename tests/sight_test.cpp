@@ -89,6 +89,36 @@ TEST_CASE("watch: and curved bodies only as deep as their supporting planes say"
     CHECK(tally.shallow > 1'500);
 }
 
+TEST_CASE("watch: a look ahead shows what a look does, and of hulls that overlap nothing")
+{
+    SolidCores cores(115);
+    int seen = 0, nothing = 0;
+    for (int i = 0; i < 4'000; ++i) {
+        const auto [a, b] = cores.pair(3, 3); // hulls
+        const Core apart = placed(b, {}, 4 * load(cores.random.unit()));
+        Watch watch(a, apart, 0);
+        watch.look(facing(a, apart)); // from afar
+        Watch ahead = watch;
+        const Sight s = ahead.look_ahead(facing(a, b));
+        CAPTURE(i);
+        const double gap = separation(a, b).gap;
+        if (gap > 1e-9) {
+            const Sight look = watch.look(facing(a, b));
+            CHECK(s.normal == look.normal);
+            CHECK(s.upper == look.upper);
+            CHECK(s.point_a == look.point_a);
+            CHECK(std::fabs(s.upper - gap) <= 1e-9);
+            ++seen;
+        } else if (gap < -1e-9) {
+            CHECK(s.normal == V3{});
+            CHECK(s.upper == infinity);
+            ++nothing;
+        }
+    }
+    CHECK(seen > 500);
+    CHECK(nothing > 500);
+}
+
 TEST_CASE("watch: a point and a cylinder or cone in closed form, as GJK sees them")
 {
     SolidCores cores(113);
