@@ -117,9 +117,8 @@ public:
           now_(now),
           highest_(now),
           apart_(start == Start::near_contact),
-          start_(course.answer(Status::touching, now)),
-          blind_(course.options.start_contact == StartContact::ignore),
-          surely_apart_(course.options.start_contact == StartContact::report)
+          start_(course.answer(in_doubt(course.options), now)),
+          blind_(course.options.start_contact == StartContact::ignore)
     {
     }
     std::optional<Toi> run();
@@ -130,7 +129,13 @@ private:
     bool fell_back();
     bool long_watched() const;
     bool holds() const;
-    bool out_of_doubt() const { return surely_apart_ || gap(highest_) > tolerance::shown * course_.rounding; }
+    bool out_of_doubt() const { return gap(highest_) > tolerance::shown * course_.rounding; }
+    /// What a start is called whose doubt nothing leads out of: where contact is reported it is apart, since
+    /// one that may be in contact was told before.
+    static Status in_doubt(const Options& options)
+    {
+        return options.start_contact == StartContact::report ? Status::hit : Status::touching;
+    }
     double step_away() const;
     double step_in_contact() const;
     double coast(double step, double t_end);
@@ -140,7 +145,7 @@ private:
         if (course_.now() > course_.options.t_max) return course_.apart();
         return {};
     }
-    Toi touching()
+    Toi as_it_started()
     {
         start_.iterations = course_.iterations;
         return start_;
@@ -152,9 +157,8 @@ private:
     double highest_at_ = 0;
     bool apart_; // has been beyond the target gap, as far as can be told
     Toi start_;
-    bool blind_;        // the way out of contact need not be proven
-    bool surely_apart_; // at the start: where contact is reported, one in doubt is contact already
-    int strides_ = 0;   // without an evaluation
+    bool blind_;      // the way out of contact need not be proven
+    int strides_ = 0; // without an evaluation
 };
 
 /// Goes on by `step`, unless that passes `t_end` or the budget is spent.
@@ -261,14 +265,14 @@ template <class Part> std::optional<Toi> Leaving<Part>::run()
         const bool deep = blind_ && !apart_ && gap() < -tolerance;
         double step = fell_back() || long_watched() ? 0 : deep ? step_in_contact() : step_away();
         if (step == 0) {
-            if (!blind_ && !(apart_ && out_of_doubt())) return touching();
+            if (!blind_ && !(apart_ && out_of_doubt())) return as_it_started();
             if (apart_) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
             step = step_in_contact();
         }
         const std::optional<Toi> end = move(step, blind_ ? t_max : 1);
         if (!end) continue;
         if (apart_ && end->t > t_max) return course_.apart();
-        return end->status == Status::separated || blind_ || apart_ ? end : touching();
+        return end->status == Status::separated || blind_ || apart_ ? end : as_it_started();
     }
     return beyond();
 }
