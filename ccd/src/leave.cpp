@@ -117,7 +117,7 @@ public:
           now_(now),
           highest_(now),
           apart_(start == Start::near_contact),
-          start_(course.answer(in_doubt(course.options), now)),
+          start_(course.answer(reported(course) ? Status::hit : Status::touching, now)),
           blind_(course.options.start_contact == StartContact::ignore)
     {
     }
@@ -126,16 +126,11 @@ public:
 private:
     double gap() const { return gap(now_); }
     double gap(const Separation& s) const { return s.gap - course_.options.target_gap; }
+    static bool reported(const Course<Part>& c) { return c.options.start_contact == StartContact::report; }
     bool fell_back();
     bool long_watched() const;
     bool holds() const;
     bool out_of_doubt() const { return gap(highest_) > tolerance::shown * course_.rounding; }
-    /// What a start is called whose doubt nothing leads out of: where contact is reported it is apart, since
-    /// one that may be in contact was told before.
-    static Status in_doubt(const Options& options)
-    {
-        return options.start_contact == StartContact::report ? Status::hit : Status::touching;
-    }
     double step_away() const;
     double step_in_contact() const;
     double coast(double step, double t_end);
@@ -155,8 +150,8 @@ private:
     Separation now_;
     Separation highest_; // so far
     double highest_at_ = 0;
-    bool apart_; // has been beyond the target gap, as far as can be told
-    Toi start_;
+    bool apart_;      // has been beyond the target gap, as far as can be told
+    Toi start_;       // where contact is reported it is apart: one in doubt was told before
     bool blind_;      // the way out of contact need not be proven
     int strides_ = 0; // without an evaluation
 };
