@@ -17,7 +17,7 @@ namespace brink::tests {
 
 /// Every check that brink-fuzz makes, on one query. Paste what it prints into a test case of
 /// regressions_test.cpp, or of regressions_start_test.cpp where it is about the start, or of
-/// regressions_apart_test.cpp where that is within rounding of contact and reported, or of
+/// regressions_apart_test.cpp where that is within rounding of contact, or of
 /// regressions_leaving_test.cpp where it is about the way out of contact there, or of
 /// regressions_told_test.cpp where only what is told of a contact was wrong.
 inline void check(const support::Query& q)

@@ -43,3 +43,30 @@ TEST_CASE("regression: a start that is known to be apart, though hardly, is not 
                      Vec3(0, 0, 0)},
               Options{1, 0, 0, StartContact::report, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: a start in contact to the bit, which is to be ignored, is contact")
+{
+    // Were hits at 0: doubles left in doubt whether there is contact, and that took them for apart.
+    check(Query{
+        Box{Vec3(0x1.8p+0, 0x1.8p+0, 0x1.4p+0)},
+        Motion{Pose{Vec3(-0x1.cp+0, 2, -0x1.4p+1), Quat(1, 0, 0, 0)}, Vec3(4, 4, 0x1.4p+0), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Hull::from_points(std::vector<Vec3>{
+            Vec3(0x1p-2, -0x1.8p-1, -1), Vec3(-0x1.8p-1, 0x1p-1, -0x1.8p-1), Vec3(-1, -1, -0x1p-2),
+            Vec3(0x1.8p-1, -1, 0), Vec3(0x1p-2, 0x1p-2, 0x1.8p-1), Vec3(1, 0x1.8p-1, 0x1p-2), Vec3(0, 1, 1),
+            Vec3(-0x1.8p-1, -0x1p-1, -1), Vec3(0x1.8p-1, 0x1p-2, -0x1p-1), Vec3(1, 0, -0x1p-1),
+            Vec3(-0x1p-2, 1, 0x1.8p-1), Vec3(0x1.8p-1, -0x1.8p-1, 0x1p-2), Vec3(-0x1.8p-1, 0, 0x1.8p-1),
+            Vec3(1, 0x1p-1, 0x1p-2), Vec3(-1, 0x1p-2, -0x1p-1), Vec3(-0x1.8p-1, -1, 0x1p-1),
+            Vec3(-0x1.8p-1, -0x1p-2, -1)}),
+        Motion{Pose{Vec3(0x1.8p-1, 0x1.cp+0, -0x1.cp+0), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0), Vec3(0, 0, 0),
+               Vec3(0, 0, 0)},
+        Options{0x1.0a877063749bp-2, 0, 0x1.0c6f7a0b5ed8dp-20, StartContact::ignore, Detail::contact, 256}});
+    check(Query{Capsule{Vec3(1, 0x1.8p-1, 0x1.8p+0), Vec3(1, -1, 0x1.8p+0), 0},
+                Motion{Pose{Vec3(-1, -0x1p-2, -0x1.ep+1), Quat(1, 0, 0, 0)},
+                       Vec3(0x1.cp+1, -0x1.8p-1, 0x1.4p+0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
+                Cylinder{0x1.4p+0, 0x1.4p+0},
+                Motion{Pose{Vec3(-0x1p-1, -0x1.cp+0, -1), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0),
+                       Vec3(0x1.66429c68f6d32p-2, 0x1.c113a90c840ffp-3, -0x1.ca7e7e89b8903p-3),
+                       Vec3(-0x1.8dd2631593818p-3, -0x1.bd913dab83c96p-3, 0x1.1660a6ddd6558p-3)},
+                Options{0, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
+}

@@ -224,7 +224,7 @@ bool Advance<Part>::begins_in_contact(const Separation& start, const StartOracle
     const double target = course_.options.target_gap, gap = start.gap - target;
     const double doubt = tolerance::shown * course_.rounding_at_start();
     if (oracle.in_contact != nullptr && std::fabs(gap) <= course_.rounding)
-        return oracle.in_contact(oracle.query);
+        if (const std::optional<bool> known = oracle.in_contact(oracle.query)) return *known;
     const bool reported = course_.options.start_contact == StartContact::report;
     return reported ? start.lower - target <= doubt : gap <= -doubt;
 }

@@ -10,10 +10,11 @@
 
 namespace brink {
 
-/// Who knows, to the last bit, whether a query begins in contact; for where rounding cannot tell.
+/// Who knows, to the last bit, whether a query begins in contact, for where rounding cannot tell; or does not
+/// know.
 struct StartOracle {
-    const Query& query;                         // in the caller's lengths
-    bool (*in_contact)(const Query&) = nullptr; // none: what rounding leaves in doubt counts as contact
+    const Query& query;                                        // in the caller's lengths
+    std::optional<bool> (*in_contact)(const Query&) = nullptr; // none: nobody
 };
 
 /// First contact of two moving shapes by certified advancement: at each pose the distance between them gives

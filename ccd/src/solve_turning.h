@@ -6,6 +6,7 @@
 #include "glance.h"
 #include "point_path.h"
 #include "rescale.h"
+#include "start_contact.h"
 #include "toi_query.h"
 #include "tolerance.h"
 #include "window.h"
@@ -13,8 +14,8 @@
 /// Pairs of which a body turns, or that no closed form translates.
 namespace brink {
 
-/// Of a pair in whole numbers, however it moves. What even those cannot hold counts as contact.
-static inline bool begins_in_contact(const Query& q)
+/// Of a pair whose first contact exact numbers tell, too. What even those cannot hold counts as contact.
+static inline std::optional<bool> begins_in_contact(const Query& q)
 {
     const Motion a = Motion::still(q.motion_a.start), b = Motion::still(q.motion_b.start);
     Options at_start = q.options;
@@ -44,7 +45,7 @@ template <class A, class B> static Toi solve_turning(const Query& q, int e)
     if (passed.status != Status::invalid) return passed;
     const A& a = as<A>(q.a);
     const B& b = as<B>(q.b);
-    const StartOracle oracle{*q.given, in_whole_numbers<A, B> ? &begins_in_contact : nullptr};
+    const StartOracle oracle{*q.given, in_whole_numbers<A, B> ? &begins_in_contact : &in_contact_at_start};
     const int spent = passed.iterations;
     if (e != 0) {
         const auto near_a = mover(scaled(part(a), e), scaled(q.motion_a, e));

@@ -97,7 +97,7 @@ Leaving Question::leaving() const
     long double before = 0;
     Bracket<long double> gap = coarse_.at(0);
     long double highest = gap.upper;
-    while (gap.upper <= target + coarse_.blur()) {
+    do { // at the start there is contact, though long double may not see it
         if (t >= t_max) return out;
         const long double by_speed = coarse_.fastest() > 0 ? (target - gap.upper) / coarse_.fastest() : t_max;
         before = t;
@@ -108,7 +108,7 @@ Leaving Question::leaving() const
         if (depth_known && gap.depth_known)
             out.drop = std::max(out.drop, static_cast<double>(highest - gap.upper));
         if (!gap.depth_known) highest = gap.upper;
-    }
+    } while (gap.upper <= target + coarse_.blur());
     out.left = true;
     long double late = t;
     for (int i = 0; i < 60; ++i) { // as near as long double can tell
