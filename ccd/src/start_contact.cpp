@@ -3,6 +3,7 @@
 
 #include "exact_model.h"
 #include "exact_nearest.h"
+#include "tolerance.h"
 
 #include <array>
 #include <span>
@@ -19,62 +20,90 @@ using exact::Turn;
 constexpr int most_rounds = 128;
 
 /// The corners of a shape's core, or of a polytope inside it, in its own frame.
-struct Corners {
-    std::array<Vec3, 8> few;
+class Corners {
+public:
+    explicit Corners(const Shape& shape)
+    {
+        std::visit([&](const auto& s) { of(s); }, shape);
+        if (all.empty()) all = {few_.data(), count_};
+    }
+    Corners(const Corners&) = delete;
+    Corners& operator=(const Corners&) = delete;
+
     std::span<const Vec3> all;
     double radius = 0;
     bool whole = true; // they make all of the core
 
-    template <class... Corner> void are(const Corner&... corner)
+private:
+    void add(double x, double y, double z) { few_[count_++] = {x, y, z}; }
+    void add_both(double x, double y, double z)
     {
-        few = {corner...};
-        all = {few.data(), sizeof...(corner)};
+        add(x, y, z);
+        add(-x, -y, -z);
+    }
+    /// Sixteen of a circle about z: four on the axes and, rounded inwards, those between.
+    void add_circle(double r, double z)
+    {
+        constexpr double at[][2] = {{1, 0},
+                                    {0.92387953251, 0.38268343236},
+                                    {0.70710678118, 0.70710678118},
+                                    {0.38268343236, 0.92387953251}};
+        const bool keeps_digits = r > tolerance::nothing;
+        for (const auto& [c, s] : std::span(at).first(keeps_digits ? 4 : 1)) {
+            add(r * c, r * s, z);
+            add(-r * s, r * c, z);
+            add(-r * c, -r * s, z);
+            add(r * s, -r * c, z);
+        }
     }
     void of(const Sphere& s)
     {
-        are(Vec3(0, 0, 0));
+        add(0, 0, 0);
         radius = s.radius;
     }
     void of(const Capsule& s)
     {
-        are(s.a, s.b);
+        few_[count_++] = s.a;
+        few_[count_++] = s.b;
         radius = s.radius;
     }
     void of(const Box& s)
     {
         const double x = s.half_extents.x(), y = s.half_extents.y(), z = s.half_extents.z();
-        are(Vec3(-x, -y, -z), Vec3(x, -y, -z), Vec3(-x, y, -z), Vec3(x, y, -z), Vec3(-x, -y, z),
-            Vec3(x, -y, z), Vec3(-x, y, z), Vec3(x, y, z));
+        add_both(x, y, z);
+        add_both(-x, y, z);
+        add_both(x, -y, z);
+        add_both(x, y, -z);
     }
-    void of(const Triangle& s) { are(s.a, s.b, s.c); }
+    void of(const Triangle& s)
+    {
+        for (const Vec3& corner : {s.a, s.b, s.c})
+            few_[count_++] = corner;
+    }
     void of(const Cylinder& s)
     {
-        const double r = s.radius, h = s.half_length;
-        are(Vec3(-r, 0, -h), Vec3(r, 0, -h), Vec3(0, -r, -h), Vec3(0, r, -h), Vec3(-r, 0, h), Vec3(r, 0, h),
-            Vec3(0, -r, h), Vec3(0, r, h));
+        add_circle(s.radius, s.half_length);
+        add_circle(s.radius, -s.half_length);
         whole = false;
     }
     void of(const Cone& s)
     {
-        const double r = s.radius, h = s.half_length;
-        are(Vec3(-r, 0, -h), Vec3(r, 0, -h), Vec3(0, -r, -h), Vec3(0, r, -h), Vec3(0, 0, h));
+        add_circle(s.radius, -s.half_length);
+        add(0, 0, s.half_length);
         whole = false;
     }
     void of(const Ellipsoid& s)
     {
-        const double x = s.radii.x(), y = s.radii.y(), z = s.radii.z();
-        are(Vec3(-x, 0, 0), Vec3(x, 0, 0), Vec3(0, -y, 0), Vec3(0, y, 0), Vec3(0, 0, -z), Vec3(0, 0, z));
+        add_both(s.radii.x(), 0, 0);
+        add_both(0, s.radii.y(), 0);
+        add_both(0, 0, s.radii.z());
         whole = false;
     }
     void of(const Hull& s) { all = s.vertices(); }
     template <class Border> void of(const Border&) {} // it has none
 
-    explicit Corners(const Shape& shape)
-    {
-        std::visit([&](const auto& s) { of(s); }, shape);
-    }
-    Corners(const Corners&) = delete;
-    Corners& operator=(const Corners&) = delete;
+    std::array<Vec3, 32> few_;
+    std::size_t count_ = 0;
 };
 
 /// Rounded, all by the same power of two.
