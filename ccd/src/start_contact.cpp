@@ -5,7 +5,9 @@
 #include "exact_nearest.h"
 #include "tolerance.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace brink {
