@@ -22,15 +22,15 @@ using exact::Turn;
 constexpr int most_rounds = 128;
 
 /// The corners of a shape's core, or of a polytope inside it, in its own frame.
-class Corners {
+class Vertices {
 public:
-    explicit Corners(const Shape& shape)
+    explicit Vertices(const Shape& shape)
     {
         std::visit([&](const auto& s) { of(s); }, shape);
         if (all.empty()) all = {few_.data(), count_};
     }
-    Corners(const Corners&) = delete;
-    Corners& operator=(const Corners&) = delete;
+    Vertices(const Vertices&) = delete;
+    Vertices& operator=(const Vertices&) = delete;
 
     std::span<const Vec3> all;
     double radius = 0;
@@ -122,7 +122,7 @@ V3 rounded(const Point& p)
 }
 
 /// The corner that lies lowest along a direction in their own frame. Doubles tell which few can be it.
-int lowest(const Corners& c, const Point& along, int shift)
+int lowest(const Vertices& c, const Point& along, int shift)
 {
     const V3 d = rounded(along);
     struct Height {
@@ -208,7 +208,7 @@ private:
     exact::Spans spans(const Query& q) const
     {
         exact::Spans out;
-        for (const Corners* side : {&a_, &b_}) {
+        for (const Vertices* side : {&a_, &b_}) {
             out.length.add(side->radius);
             for (const Vec3& corner : side->all)
                 out.add(corner);
@@ -230,13 +230,13 @@ private:
     Point lowest_of_a(const Point& along) const { return lowest(a_, turn_a_, along); }
     Point lowest_of_b(const Point& along) const { return lowest(b_, turn_b_, along); }
     /// Times |q|^2, about the shape's origin.
-    [[gnu::noinline]] Point lowest(const Corners& corners, const Turn& turn, const Point& along) const
+    [[gnu::noinline]] Point lowest(const Vertices& corners, const Turn& turn, const Point& along) const
     {
         const int k = brink::lowest(corners, turn.into(along), shift_);
         return turn * exact::point(corners.all[static_cast<std::size_t>(k)], shift_);
     }
 
-    Corners a_, b_;
+    Vertices a_, b_;
     exact::Spans spans_;
     int shift_;
     Turn turn_a_, turn_b_;
