@@ -260,8 +260,7 @@ template <class Part> std::optional<Toi> Leaving<Part>::run()
         const bool deep = blind_ && !apart_ && gap() < -tolerance;
         double step = fell_back() || long_watched() ? 0 : deep ? step_in_contact() : step_away();
         // On a way that ends before all does, contact might be left and met again unseen.
-        if (blind_ && !apart_ && !deep && course_.now() + step < course_.window.end)
-            if (const double lasting = step_in_contact(); lasting > 0) step = lasting;
+        if (blind_ && !apart_ && !deep && course_.now() + step < course_.window.end) step = step_in_contact();
         if (step == 0) {
             if (!blind_ && !(apart_ && out_of_doubt())) return as_it_started();
             if (apart_) return course_.now() > t_max ? course_.apart() : course_.answer(Status::hit, now_);
