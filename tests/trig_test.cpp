@@ -68,6 +68,23 @@ TEST_CASE("sin_cos: of two angles at once, the bits of one at a time")
     CHECK(differing == 0);
 }
 
+TEST_CASE("near_sin_cos: of two angles, within 3e-16 of long double")
+{
+    support::Random random(6);
+    long double worst = 0;
+    for (int i = 0; i < 500'000; ++i) {
+        const double angles[2] = {angle(random), -angle(random)};
+        const auto [sines, cosines] = near_sin_cos(Two{angles[0], angles[1]});
+        for (int k = 0; k < 2; ++k) {
+            const auto x = static_cast<long double>(angles[k]);
+            worst = std::max({worst, std::fabs(std::sin(x) - static_cast<long double>(sines[k])),
+                              std::fabs(std::cos(x) - static_cast<long double>(cosines[k]))});
+        }
+    }
+    CHECK(worst <= 3e-16L);
+    CHECK(worst > 1e-16L);
+}
+
 TEST_CASE("angle_of: the angle back from its sine and cosine")
 {
     CHECK(angle_of({0, 1}) == 0);

@@ -47,60 +47,90 @@ void Pursuit::set_out(const Side& a, const Side& b, const Features& features, V3
     if (dot(cross(e, g), normal) < 0) side_ = -1;
 }
 
-Trend Pursuit::over_face(const Moving& point, const Moving& normal, V3 by) const
+/// From the point on A to the point on B.
+[[gnu::always_inline]] inline Pursuit::Moving Pursuit::way(double h, const NearSinCos& by) const
 {
-    const V3 way = pivots_ + by + side_ * point.now, growing = velocity_ + side_ * point.rate;
-    return {dot(normal.now, way) - margin_, dot(normal.now, growing) + dot(normal.rate, way)};
+    const XYZ<Two> points = points_.at(by), growing = angles_ * points_.rate(by);
+    return {pivots_ + h * velocity_ + (second(points) - first(points)),
+            velocity_ + (second(growing) - first(growing))};
 }
 
-Trend Pursuit::between_edges(const Moving& e, const Moving& g, const Moving& way) const
-{
-    const V3 m = cross(e.now, g.now), turning = cross(e.rate, g.now) + cross(e.now, g.rate);
-    const double square = norm_squared(m), per_length = side_ / std::sqrt(square);
-    const double gap = dot(m, way.now) * per_length;
-    return {gap - margin_,
-            (dot(turning, way.now) + dot(m, way.rate)) * per_length - gap * (dot(m, turning) / square)};
-}
-
-Guess Pursuit::at(double time) const
+Pursuit::Height Pursuit::over_face(double time) const
 {
     const double h = time - now_;
-    const V3 by = h * velocity_;
-    const Two angles = both(h) * angles_;
-    const auto [one, other] = h == 0 ? TwoSinCos{} : sin_cos(angles[0], angles[1]);
-    const Two s{one.sin, other.sin}, c{one.cos, other.cos};
-    const XYZ<Two> points = points_.at(s, c), growing = angles_ * points_.rate(s, c);
-    const Moving on_a{first(points), first(growing)}, on_b{second(points), second(growing)};
-    if (between_ == Between::face_of_a || between_ == Between::face_of_b)
-        return {time, over_face(on_a, on_b, by)};
-    const Moving way{pivots_ + by + (on_b.now - on_a.now), velocity_ + (on_b.rate - on_a.rate)};
-    if (between_ == Between::planes) return {time, {dot(normal_, way.now) - margin_, dot(normal_, way.rate)}};
-    Moving e, g;
+    const NearSinCos by = turned(h);
+    const XYZ<Two> both_now = points_.at(by), both_rate = angles_ * points_.rate(by);
+    const V3 n = second(both_now), way = pivots_ + h * velocity_ + side_ * first(both_now);
+    const V3 growing = velocity_ + side_ * first(both_rate);
+    return {{time, {dot(n, way), dot(n, growing) + dot(second(both_rate), way)}}};
+}
+
+Pursuit::Height Pursuit::between_edges(double time) const
+{
+    const double h = time - now_;
+    const NearSinCos by = turned(h);
+    const Moving r = way(h, by);
+    const XYZ<Two> along = along_.at(by), turning = angles_ * along_.rate(by);
+    const V3 e = first(along), g = second(along), m = cross(e, g);
+    const V3 m_rate = cross(first(turning), g) + cross(e, second(turning));
+    return {{time, {side_ * dot(m, r.now), side_ * (dot(m_rate, r.now) + dot(m, r.rate))}}, norm(m)};
+}
+
+Pursuit::Height Pursuit::between_others(double time) const
+{
+    const double h = time - now_;
+    const NearSinCos by = turned(h);
+    const Moving r = way(h, by);
+    if (between_ == Between::planes) return {{time, {dot(normal_, r.now), dot(normal_, r.rate)}}};
+    Moving e;
     if (between_ != Between::points) {
-        const XYZ<Two> along = along_.at(s, c), turning = angles_ * along_.rate(s, c);
-        e = {first(along), first(turning)};
-        g = {second(along), second(turning)};
-        if (between_ == Between::edges) return {time, between_edges(e, g, way)};
-        if (between_ == Between::edge_of_b) e = g;
+        const XYZ<Two> along = along_.at(by), turning = angles_ * along_.rate(by);
+        const bool of_a = between_ == Between::edge_of_a;
+        e = of_a ? Moving{first(along), first(turning)} : Moving{second(along), second(turning)};
     }
-    const double on_edge = dot(e.now, way.now), gap = norm(way.now - on_edge * e.now);
-    const double slip = dot(e.rate, way.now) + dot(e.now, way.rate);
-    return {time, {gap - margin_, (dot(way.now, way.rate) - on_edge * slip) / gap}};
+    const double on_edge = dot(e.now, r.now), gap = norm(r.now - on_edge * e.now);
+    const double slip = dot(e.rate, r.now) + dot(e.now, r.rate);
+    return {{time, {gap, (dot(r.now, r.rate) - on_edge * slip) / gap}}};
+}
+
+/// Does what is to be done with the one of them that tells the gap.
+template <class Do> auto Pursuit::with_height(Do go) const
+{
+    const bool face = between_ == Between::face_of_a || between_ == Between::face_of_b;
+    if (face) return go([this](double t) { return over_face(t); });
+    if (between_ == Between::edges) return go([this](double t) { return between_edges(t); });
+    return go([this](double t) { return between_others(t); });
+}
+
+Pursuit::Height Pursuit::at(double time) const
+{
+    return with_height([&](auto height) { return height(time); });
 }
 
 double Pursuit::falls_to(double aim, double near, double from, double until) const
 {
-    Guess last = at(now_), before = last;
-    for (int i = 0; i < tolerance::most_guesses; ++i) {
-        const double next = brink::falls_to(aim, before, last);
-        if (!(last.gap.rate < 0 && next > from && next < until)) return infinity;
-        const double rest = std::fabs(aim - last.gap.now), rest_before = std::fabs(aim - before.gap.now);
-        // What is left falls at least with the square: the next guess is near enough unseen.
-        if (rest <= near || rest * rest < near * rest_before) return next;
-        before = last;
-        last = at(next);
-    }
-    return infinity;
+    return with_height([&](auto height) {
+        auto [last, length] = height(now_);
+        Guess before = last;
+        double scale = length;
+        for (int i = 0; i < tolerance::most_guesses; ++i) {
+            const double level = scale * (margin_ + aim), enough = scale * near;
+            const double next = brink::falls_to(level, before, last);
+            if (!(last.gap.rate < 0 && next > from && next < until)) return infinity;
+            const double rest = std::fabs(level - last.gap.now);
+            const double rest_before = std::fabs(level - before.gap.now);
+            // What is left falls at least with the square: the next guess is near enough unseen.
+            if (rest <= enough || rest * rest < enough * rest_before) return next;
+            before = last;
+            const double length_before = length;
+            const Height seen = height(next);
+            last = seen.seen;
+            length = seen.length;
+            // Of what no radius grows the level is next to nothing: nobody has to wait for the root.
+            scale = grown_ ? length : length_before;
+        }
+        return infinity;
+    });
 }
 
 } // namespace brink

@@ -4,6 +4,7 @@
 #include "contact_features.h"
 #include "falling.h"
 #include "lanes.h"
+#include "trig.h"
 
 namespace brink {
 
@@ -20,15 +21,20 @@ public:
           velocity_(f.velocity),
           margin_(f.margin),
           now_(now),
-          between_(between(features, radii))
+          between_(between(features, radii)),
+          grown_(radii > 0)
     {
         set_out({f.a.rate, f.a.angle, on_a}, {f.b.rate, f.b.angle, on_b - pivots_}, features, normal);
     }
     /// When the gap between the features falls to `aim`, as nearly as one step more from `near`
     /// tells it; infinity where it does not between the two times, as far as is seen on the way there.
     double falls_to(double aim, double near, double from, double until) const;
-    /// That gap at some time.
-    Guess at(double time) const;
+    /// The gap at some time, the radii not taken off, times `length`: a height that no root is taken for.
+    struct Height {
+        Guess seen;
+        double length = 1;
+    };
+    Height at(double time) const;
 
 private:
     enum class Between : unsigned char { face_of_a, face_of_b, edges, edge_of_a, edge_of_b, points, planes };
@@ -48,17 +54,22 @@ private:
             : still(dot(axes, vectors) * axes), cosine(vectors - still), sine(cross(axes, vectors))
         {
         }
-        XYZ<Two> at(Two s, Two c) const { return still + c * cosine + s * sine; }
-        XYZ<Two> rate(Two s, Two c) const { return c * sine - s * cosine; } // per radian
+        XYZ<Two> at(const NearSinCos& by) const { return still + by.cos * cosine + by.sin * sine; }
+        XYZ<Two> rate(const NearSinCos& by) const { return by.cos * sine - by.sin * cosine; } // per radian
         XYZ<Two> still, cosine, sine;
     };
     struct Moving;
-    Trend over_face(const Moving& point, const Moving& normal, V3 by) const;
-    Trend between_edges(const Moving& e, const Moving& g, const Moving& way) const;
+    NearSinCos turned(double h) const { return h == 0 ? NearSinCos{} : near_sin_cos(both(h) * angles_); }
+    Moving way(double h, const NearSinCos& by) const;
+    Height over_face(double time) const;
+    Height between_edges(double time) const;
+    Height between_others(double time) const;
+    template <class Do> auto with_height(Do go) const;
 
     V3 pivots_, velocity_; // from A's to B's
     double margin_, now_;
     Between between_;
+    bool grown_;
     double side_ = 1; // of a face's or of two edges' common normal
     Two angles_;
     V3 normal_;   // of planes that do not turn
