@@ -73,7 +73,9 @@ Pursuit::Height Pursuit::between_edges(double time) const
     const XYZ<Two> along = along_.at(by), turning = angles_ * along_.rate(by);
     const V3 e = first(along), g = second(along), m = cross(e, g);
     const V3 m_rate = cross(first(turning), g) + cross(e, second(turning));
-    return {{time, {side_ * dot(m, r.now), side_ * (dot(m_rate, r.now) + dot(m, r.rate))}}, norm(m)};
+    return {{time, {side_ * dot(m, r.now), side_ * (dot(m_rate, r.now) + dot(m, r.rate))}},
+            norm(m),
+            dot(m, m_rate)};
 }
 
 Pursuit::Height Pursuit::between_others(double time) const
@@ -109,25 +111,26 @@ Pursuit::Height Pursuit::at(double time) const
 
 double Pursuit::falls_to(double aim, double near, double from, double until) const
 {
+    const double goal = margin_ + aim;
     return with_height([&](auto height) {
-        auto [last, length] = height(now_);
-        Guess before = last;
-        double scale = length;
+        // How far above the goal, times the length. A goal of next to nothing may be told by the length
+        // before: then nobody has to wait for the root.
+        const auto above = [&](Height at, double length_before) {
+            at.seen.gap.now -= goal * (goal <= near ? length_before : at.length);
+            if (!(goal <= near)) at.seen.gap.rate -= goal * (at.growing / at.length);
+            return at;
+        };
+        Height last = height(now_);
+        last = above(last, last.length);
+        Guess before = last.seen;
         for (int i = 0; i < tolerance::most_guesses; ++i) {
-            const double level = scale * (margin_ + aim), enough = scale * near;
-            const double next = brink::falls_to(level, before, last);
-            if (!(last.gap.rate < 0 && next > from && next < until)) return infinity;
-            const double rest = std::fabs(level - last.gap.now);
-            const double rest_before = std::fabs(level - before.gap.now);
+            const double next = brink::falls_to(0, before, last.seen), enough = near * last.length;
+            if (!(last.seen.gap.rate < 0 && next > from && next < until)) return infinity;
+            const double rest = std::fabs(last.seen.gap.now), rest_before = std::fabs(before.gap.now);
             // What is left falls at least with the square: the next guess is near enough unseen.
             if (rest <= enough || rest * rest < enough * rest_before) return next;
-            before = last;
-            const double length_before = length;
-            const Height seen = height(next);
-            last = seen.seen;
-            length = seen.length;
-            // Of what no radius grows the level is next to nothing: nobody has to wait for the root.
-            scale = grown_ ? length : length_before;
+            before = last.seen;
+            last = above(height(next), last.length);
         }
         return infinity;
     });

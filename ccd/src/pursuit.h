@@ -21,18 +21,18 @@ public:
           velocity_(f.velocity),
           margin_(f.margin),
           now_(now),
-          between_(between(features, radii)),
-          grown_(radii > 0)
+          between_(between(features, radii))
     {
         set_out({f.a.rate, f.a.angle, on_a}, {f.b.rate, f.b.angle, on_b - pivots_}, features, normal);
     }
     /// When the gap between the features falls to `aim`, as nearly as one step more from `near`
     /// tells it; infinity where it does not between the two times, as far as is seen on the way there.
     double falls_to(double aim, double near, double from, double until) const;
-    /// The gap at some time, the radii not taken off, times `length`: a height that no root is taken for.
+    /// The gap at some time, but for what of it stays the same, times `length`: a height that no root is
+    /// taken for. What stays are the radii and how high over its pivot a face lies.
     struct Height {
         Guess seen;
-        double length = 1;
+        double length = 1, growing = 0; // how fast, times itself, the length grows
     };
     Height at(double time) const;
 
@@ -67,9 +67,8 @@ private:
     template <class Do> auto with_height(Do go) const;
 
     V3 pivots_, velocity_; // from A's to B's
-    double margin_, now_;
+    double margin_, now_;  // margin_: what stays of the gap
     Between between_;
-    bool grown_;
     double side_ = 1; // of a face's or of two edges' common normal
     Two angles_;
     V3 normal_;   // of planes that do not turn
