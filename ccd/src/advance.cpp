@@ -158,7 +158,7 @@ template <class Part> Toi Advance<Part>::approach()
             continue;
         }
         if (there()) return arrived();
-        if (!leads_on(step) && course_.give_up_lap()) continue;
+        if ((!leads_on(step) || step.gap <= course_.tolerance) && course_.give_up_lap()) continue;
         if (!leads_on(step)) {
             sight_ = watch_.look_hard(course_.facing());
             if (there()) return arrived();
