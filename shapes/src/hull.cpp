@@ -89,9 +89,32 @@ void place_corners(HullData& data, const std::vector<V3>& corners)
         data.ball = std::max(data.ball, norm(corner - data.middle));
 }
 
+/// Whether exactly: only then is every point in their plane, and so are four that share none.
+bool collinear(V3 a, V3 b, V3 c)
+{
+    const V3 of_no_plane[] = {{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    return std::all_of(std::begin(of_no_plane), std::end(of_no_plane),
+                       [&](V3 p) { return side(a, b, c, p) == 0; });
+}
+
+/// Of points on one line the ends, between which all others lie; else nothing.
+std::vector<bool> ends_of_line(const std::vector<V3>& points)
+{
+    const auto before = [](V3 p, V3 q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); };
+    const auto [first, last] = std::minmax_element(points.begin(), points.end(), before);
+    const auto on_line = [a = *first, b = *last](V3 p) { return collinear(a, b, p); };
+    if (!std::all_of(points.begin(), points.end(), on_line)) return {};
+    std::vector<bool> ends(points.size());
+    ends[static_cast<std::size_t>(first - points.begin())] = true;
+    ends[static_cast<std::size_t>(last - points.begin())] = true;
+    return ends;
+}
+
 /// Which of the points stay: the corners of a surface, and those that it does not hold.
 std::vector<bool> kept(const std::vector<V3>& points, const Surface& surface)
 {
+    if (surface.empty())
+        if (std::vector<bool> ends = ends_of_line(points); !ends.empty()) return ends;
     std::vector<bool> stays(points.size(), surface.empty());
     for (const Facet& f : surface.faces())
         for (const int k : f)
