@@ -119,6 +119,30 @@ TEST_CASE("watch: a look ahead shows what a look does, and of hulls that overlap
     CHECK(nothing > 500);
 }
 
+TEST_CASE("watch: an axis that was followed past the other body tells no overlap of what is apart")
+{
+    // As box-hull 514474 and capsule-hull 468787 of seed 2031: lines that pass each other beside their ends.
+    Core along_x = core(Capsule{Vec3(-1, 0, 0), Vec3(1, 0, 0), 0});
+    Core along_y = core(Capsule{Vec3(0, -1, 0), Vec3(0, 1, 0), 0});
+    const Core before = placed(along_y, {}, {0.5, 0.2, 1e-9}), past = placed(along_y, {}, {0.5, 0.2, -1e-9});
+    Sight s;
+    s.axis.normal = s.normal = {0, 0, 1}; // from A towards where B was
+    s.upper = 1e-9;
+    s.point_a = {0.5, 0, 0};
+    s.v = {0, 0, 1e-9};
+    const auto told = shown(s, facing(along_x, before), 1e-15);
+    REQUIRE(told.has_value());
+    CHECK(told->gap == 1e-9);
+    s.v = {0, 0, -1e-9};
+    CHECK_FALSE(shown(s, facing(along_x, past), 1e-15).has_value());
+    s.axis.normal = s.normal = {0, 0, -1};
+    REQUIRE(shown(s, facing(along_x, past), 1e-15).has_value());
+    CHECK(shown(s, facing(along_x, past), 1e-15)->gap == 1e-9);
+    along_y.radius = along_x.radius = 0.1; // radii that overlap are told as ever
+    CHECK(shown(s, facing(along_x, placed(along_y, {}, {0.5, 0.2, -1e-9})), 1e-15)->gap ==
+          doctest::Approx(-0.2));
+}
+
 TEST_CASE("watch: a point and a cylinder or cone in closed form, as GJK sees them")
 {
     SolidCores cores(113);

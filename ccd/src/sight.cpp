@@ -237,7 +237,9 @@ std::optional<Separation> shown(const Sight& sight, const Facing<Core>& f, doubl
     const Core &a = f.a.part, &b = f.b.part;
     const V3 n = sight.best_normal();
     const double apart = dot(sight.v, n);
-    if (!(sight.upper < infinity) || !(sight.astray <= doubt) || !(norm(sight.v - apart * n) <= doubt) ||
+    // An axis that was followed past the other body leads back: by that they would overlap.
+    if (!(sight.upper < infinity && apart >= -doubt) || !(sight.astray <= doubt) ||
+        !(norm(sight.v - apart * n) <= doubt) ||
         !(apart - (sight.axis_gap > -infinity ? sight.axis_gap : gap_along(a, b, n)) <= doubt))
         return {};
     const double gap = apart - (a.radius + b.radius);
