@@ -138,7 +138,7 @@ TEST_CASE("hull: of points on one line the two ends")
     };
     CHECK(kept({{1, 1, 1}, {3, 3, 3}, {2, 2, 2}, {0, 0, 0}, {1, 1, 1}}) == Points{{3, 3, 3}, {0, 0, 0}});
     Random random(92);
-    for (int i = 0; i < 200; ++i) { // twenty times a few steps along whole numbers, from there and back
+    for (int i = 0; i < 200; ++i) { // twenty points at whole steps, out of order
         const auto whole = [&] { return static_cast<double>(random.index(2001) - 1000); };
         const Vec3 start(whole(), whole(), whole());
         const Vec3 step = i % 3 == 0 ? Vec3(0, whole() + 1001, 0) : Vec3(whole(), whole(), whole() + 1001);

@@ -121,7 +121,8 @@ TEST_CASE("watch: a look ahead shows what a look does, and of hulls that overlap
 
 TEST_CASE("watch: an axis that was followed past the other body tells no overlap of what is apart")
 {
-    // As box-hull 514474 and capsule-hull 468787 of seed 2031: lines that pass each other beside their ends.
+    // As of box-hull 514474 and capsule-hull 468787 of seed 2031, which passed each other beside their ends:
+    // lines that cross, B on the other side than it was.
     Core along_x = core(Capsule{Vec3(-1, 0, 0), Vec3(1, 0, 0), 0});
     Core along_y = core(Capsule{Vec3(0, -1, 0), Vec3(0, 1, 0), 0});
     const Core before = placed(along_y, {}, {0.5, 0.2, 1e-9}), past = placed(along_y, {}, {0.5, 0.2, -1e-9});

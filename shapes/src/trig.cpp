@@ -12,12 +12,6 @@ namespace brink {
 
 namespace {
 
-// pi/2 as a sum of doubles. The first three keep 33 bits, so that their products with a count of quarter
-// turns (below 2^20) are exact (Cody and Waite 1980); what is left out is below 2^-157.
-constexpr double half_pi[] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69, 0x1.b839a252049c1p-104};
-constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
-constexpr double to_whole = 0x1.8p52; // added, it leaves the nearest whole number in the last bits
-
 struct Reduced {
     Pair angle;  // at most pi/4 (a little more by rounding), to 2^-100
     int quarter; // quarter turns taken off, 0 to 3

@@ -23,6 +23,13 @@ TwoSinCos sin_cos(double first, double second);
 /// ulp.
 double angle_of(SinCos);
 
+/// pi/2 as a sum of doubles. The first three keep 33 bits, so that their products with a count of quarter
+/// turns (below 2^20) are exact (Cody and Waite 1980); what is left out is below 2^-157.
+inline constexpr double half_pi[] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2ep-69,
+                                     0x1.b839a252049c1p-104};
+inline constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
+inline constexpr double to_whole = 0x1.8p52; // added, it leaves the nearest whole number in the last bits
+
 /// Sines and cosines of two angles to within 3e-16: for guesses, which wait for nothing so long. |angle| <=
 /// 2^20.
 struct NearSinCos {
@@ -31,10 +38,8 @@ struct NearSinCos {
 static inline NearSinCos near_sin_cos(Two angles)
 {
     // Quarter turns are counted in the last bits and taken off in three parts of pi/2.
-    const Two to_whole = both(0x1.8p52), counted = angles * both(0x1.45f306dc9c883p-1) + to_whole;
-    const Two turns = counted - to_whole;
-    const Two x = ((angles - turns * both(0x1.921fb544p+0)) - turns * both(0x1.0b4611a6p-34)) -
-                  turns * both(0x1.3198a2ep-69);
+    const Two counted = angles * both(two_over_pi) + both(to_whole), turns = counted - both(to_whole);
+    const Two x = ((angles - turns * both(half_pi[0])) - turns * both(half_pi[1])) - turns * both(half_pi[2]);
     // The Taylor series, in pairs as in sin_cos().
     const Two s = x * x, s2 = s * s, s4 = s2 * s2;
     const auto two = [s](double first, double second) { return both(first) + s * both(second); };
