@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "falling.h"
 #include "persist.h"
 #include "two_bodies.h"
 
@@ -30,6 +31,42 @@ void check_lasting(const TwoBodies<Part>& scene, double t, double reach, double 
 }
 
 } // namespace
+
+TEST_CASE("last_kept: what bisection finds, less next to nothing")
+{
+    Random random(56);
+    int spent = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        Trend lines[4];
+        for (Trend& line : lines) {
+            line.now = random.log_between(1e-9, 1);
+            line.rate = (random.chance(0.5) ? -1 : 1) * random.log_between(1e-3, 100);
+        }
+        const int count = 1 + i % 4;
+        const double curvature = random.chance(0.3) ? 0 : random.log_between(1e-3, 1e5);
+        int calls = 0;
+        const auto concave = [&](double h) {
+            ++calls;
+            double least = infinity;
+            for (int k = 0; k < count; ++k)
+                least = std::min(least, lines[k].now + h * lines[k].rate);
+            return least;
+        };
+        const double kept = last_kept(concave, curvature, 1);
+        spent += calls;
+        double good = 0, bad = 1;
+        while (bad - good > 1e-15) {
+            const double h = 0.5 * (good + bad);
+            (concave(h) >= 0.5 * curvature * h * h ? good : bad) = h;
+        }
+        CAPTURE(i);
+        CHECK(kept >= (1 - 1e-5) * good);
+        CHECK(kept <= bad * (1 + 1e-6));
+    }
+    CHECK(spent < 100'000);
+    CHECK(last_kept([](double h) { return 1 - h; }, 0, 0.5) == 0.5);
+    CHECK(last_kept([](double h) { return h - 0.5; }, 0, 1) == 0);
+}
 
 TEST_CASE("contact_step: solid cores stay in contact, whatever they do")
 {
@@ -101,6 +138,38 @@ TEST_CASE("contact_step: cores that overlap, until the last of it")
     CHECK(tally.lasting > 3'200);
     CHECK(shallow > 150);
     CHECK(beyond_first_order > 0.6 * shallow);
+}
+
+TEST_CASE("contact_step: an edge, a side or a rim that slides out is followed to the end in few steps")
+{
+    // A point that goes with its body is left behind: the way out would shrink by a tenth or so each time.
+    Random random(55);
+    int ended = 0, most = 0;
+    for (int i = 0; i < 1'500; ++i) {
+        const Triangle triangle{random.unit(), random.unit(), random.unit()};
+        const double x = random.between(0.1, 1), y = random.between(0.1, 1);
+        const Box box{Vec3(x, y, 0.3)};
+        const Shape solids[] = {box, Cylinder{x, y}, Cone{x, y}, Cylinder{0, y}};
+        const Motion motion_a = random_motion(random, 0.6), motion_b = random_motion(random, 0.6);
+        CAPTURE(i);
+        const Mover<Core> edges = i % 4 == 3 ? mover(box, motion_a) : mover(triangle, motion_a);
+        const TwoBodies<Core> scene{edges, moving_core(solids[i % 4], motion_b)};
+        int shallow = 0;
+        double t = random.between(0, 0.5);
+        for (int k = 0; k < 200 && t < 1; ++k) {
+            const Moment<Core> moment(scene, t);
+            const Separation now = separation(moment.a, moment.b);
+            if (!(now.gap < -1e-9)) break;
+            const Facing<Core> f = moment.facing();
+            const double fastest = norm(f.velocity) + f.a.angle * f.a.reach + f.b.angle * f.b.reach;
+            t += std::max(contact_step(f, now, 0, 1 - t), -now.gap / fastest);
+            shallow += now.gap > -1e-3;
+        }
+        ended += shallow > 0;
+        most = std::max(most, shallow);
+    }
+    CHECK(ended > 100);
+    CHECK(most < 20);
 }
 
 TEST_CASE("contact_step: planes and half-spaces")

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "persist.h"
 
-#include "depth.h"
 #include "falling.h"
 #include "gjk.h"
+#include "piercing.h"
 #include "spindle.h"
 #include "support.h"
 #include "tolerance.h"
@@ -14,53 +14,7 @@ namespace brink {
 
 namespace {
 
-constexpr int thirds = 12, narrowings = 4;
-
-/// A point of one body, seen from the frame of another that turns: its velocity, and a bound of its
-/// acceleration.
-struct Drift {
-    V3 velocity;
-    double acceleration;
-};
-
-template <class Of, class From>
-Drift drift(const Posed<Of>& of, const Posed<From>& from, V3 velocity, V3 point, double farthest)
-{
-    const V3 arm = point - of.pivot, seen = cross(of.rate, arm) + velocity;
-    const double speed = of.angle * norm(arm) + norm(velocity);
-    return {seen - cross(from.rate, point - from.pivot),
-            of.angle * of.angle * norm(arm) + 2 * from.angle * speed + from.angle * from.angle * farthest};
-}
-
-/// As long as a point of the one body stays inside the core of the other.
-double inside(const Posed<Core>& of, const Posed<Core>& solid, V3 velocity, V3 point, double horizon)
-{
-    const Drift d = drift(of, solid, velocity, point, solid.reach);
-    return last_kept(
-        [&](double h) { return depth(solid.part, point + h * d.velocity) - 0.5 * d.acceleration * h * h; },
-        horizon);
-}
-
-/// Of a point of one core, that which is nearest to the middle of a solid, and those between, the deepest in
-/// the solid.
-V3 deepest(const Core& of, const Core& solid, V3 point)
-{
-    Core target;
-    target.points[0] = middle(solid);
-    const Separation s = separation(of, target);
-    const bool apart = s.gap + of.radius > 0;
-    const V3 way = (apart ? s.point_a - of.radius * s.normal : target.points[0]) - point;
-    const auto depth_at = [&](double part) { return depth(solid, point + part * way); }; // concave
-    return point + highest_place(depth_at, 0, 1, thirds) * way;
-}
-
-/// As long as such a point, or the one given, stays inside the core of the other.
-double pierced(const Posed<Core>& of, const Posed<Core>& solid, V3 velocity, V3 point, double horizon)
-{
-    const double step = inside(of, solid, velocity, point, horizon);
-    if (solid.part.kind <= Core::Kind::triangle || step == horizon) return step;
-    return std::max(step, inside(of, solid, velocity, deepest(of.part, solid.part, point), horizon));
-}
+constexpr int narrowings = 4;
 
 /// As long as a point of A and one of B stay within reach of each other.
 double within(const Facing<Core>& f, V3 a, V3 b, double reach, double horizon)
@@ -68,8 +22,7 @@ double within(const Facing<Core>& f, V3 a, V3 b, double reach, double horizon)
     const V3 arm = b - f.b.pivot;
     const V3 velocity = f.velocity + cross(f.b.rate, arm) - cross(f.a.rate, a);
     const double acceleration = f.a.angle * f.a.angle * norm(a) + f.b.angle * f.b.angle * norm(arm);
-    return last_kept(
-        [&](double h) { return reach - norm((b - a) + h * velocity) - 0.5 * acceleration * h * h; }, horizon);
+    return last_kept([&](double h) { return reach - norm((b - a) + h * velocity); }, acceleration, horizon);
 }
 
 /// The way from a point of A to one of B as they move: how fast it changes, and bounds of that and of its
@@ -153,13 +106,18 @@ double overlapping(const Facing<Core>& f, const Separation& contact, double hori
 
 double contact_step(const Facing<Core>& f, const Separation& contact, double reach, double horizon)
 {
-    const V3 a = contact.point_a - f.a.part.radius * contact.normal;
-    const V3 b = contact.point_b + f.b.part.radius * contact.normal;
-    const double pair = within(f, a, b, reach, horizon);
-    const double in_b = pierced(f.a, f.b, -f.velocity, a, horizon);
-    const double lasting =
-        std::max({pair, in_b, pierced(f.b, f.a, f.velocity, b, horizon), overlapping(f, contact, horizon)});
-    return lasting < horizon ? std::max(lasting, spindle_step(f, reach, horizon)) : lasting;
+    const double radius_a = f.a.part.radius, radius_b = f.b.part.radius;
+    const V3 n = contact.normal, a = contact.point_a - radius_a * n, b = contact.point_b + radius_b * n;
+    const double overlap = -(contact.gap + radius_a + radius_b);
+    double lasting = within(f, a, b, reach, horizon);
+    const auto attempt = [&](const auto& witness) {
+        if (lasting < horizon) lasting = std::max(lasting, witness());
+    };
+    attempt([&] { return piercing_step({f.a, f.b, -f.velocity, -n, overlap, horizon}, a); });
+    attempt([&] { return piercing_step({f.b, f.a, f.velocity, n, overlap, horizon}, b); });
+    attempt([&] { return overlapping(f, contact, horizon); });
+    attempt([&] { return spindle_step(f, reach, horizon); });
+    return lasting;
 }
 
 double contact_step(const Facing<Border>& f, const Separation&, double reach, double horizon)
@@ -171,8 +129,7 @@ double contact_step(const Facing<Border>& f, const Separation&, double reach, do
         const Drift d = drift(f.a, f.b, -f.velocity, p, norm(p - f.b.pivot) + speed * horizon);
         const double offset = dot(outward, border.normal) < 0 ? -border.offset : border.offset;
         const double above = dot(outward, p) - offset, rate = dot(outward, d.velocity);
-        return last_kept([&](double h) { return reach - above - h * rate - 0.5 * d.acceleration * h * h; },
-                         horizon);
+        return last_kept([&](double h) { return reach - above - h * rate; }, d.acceleration, horizon);
     };
     const double below = stays(border.normal);
     const double lasting = border.solid ? below : std::min(below, stays(-border.normal));

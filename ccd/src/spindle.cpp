@@ -12,7 +12,8 @@ namespace brink {
 
 namespace {
 
-constexpr int thirds = 16;
+/// A part of the way in which a hub is looked for: it is a guess.
+constexpr double near_enough = 0x1p-9;
 
 bool is_thin(const Core& c) { return c.kind == Core::Kind::point || c.kind == Core::Kind::segment; }
 
@@ -57,7 +58,9 @@ template <class Other> Hub best_hub(const Posed<Core>& body, V3 towards, const O
         const V3 p = body.pivot + s * by;
         return depth_guessed(body.part, p) + other(p);
     };
-    const V3 at = body.pivot + highest_place(sum, turns ? -1 : 0, 1, thirds) * by;
+    const V3 at = body.pivot + highest_place(sum, turns ? -1 : 0, 1, [](double width, double) {
+                                   return width <= near_enough;
+                               }) * by;
     return {at, depth_known(body.part, at)};
 }
 
@@ -70,7 +73,7 @@ double beside(const Posed<Core>& other, V3 velocity, const Hub& hub, double reac
     const V3 p = is_thin(c) ? nearest_of_thin(c, hub.at) : hub.at;
     const V3 swing = cross(other.rate, p - other.pivot), from = p - hub.at, speed = velocity + swing;
     const double bend = other.angle * norm(swing), room = reach + hub.depth;
-    return last_kept([&](double h) { return room - norm(from + h * speed) - 0.5 * bend * h * h; }, horizon);
+    return last_kept([&](double h) { return room - norm(from + h * speed); }, bend, horizon);
 }
 
 } // namespace
@@ -85,7 +88,7 @@ double spindle_step(const Facing<Core>& f, double reach, double horizon)
     const double room = opposite.depth + in_b.depth + reach;
     return std::max({beside(f.b, f.velocity, in_a, reach, horizon),
                      beside(f.a, -f.velocity, in_b, reach, horizon),
-                     last_kept([&](double h) { return room - norm(way + h * f.velocity); }, horizon)});
+                     last_kept([&](double h) { return room - norm(way + h * f.velocity); }, 0, horizon)});
 }
 
 double spindle_step(const Facing<Border>& f, double reach, double horizon)
@@ -102,7 +105,8 @@ double spindle_step(const Facing<Border>& f, double reach, double horizon)
         return border.solid ? above : std::max(above, level - (height - swing));
     };
     const Hub hub = best_hub(f.a, f.b.pivot, [&](V3 p) { return -beyond(p); });
-    return last_kept([&](double h) { return reach + hub.depth - beyond(hub.at - h * f.velocity); }, horizon);
+    return last_kept([&](double h) { return reach + hub.depth - beyond(hub.at - h * f.velocity); }, 0,
+                     horizon);
 }
 
 } // namespace brink
