@@ -92,14 +92,14 @@ Growth grown(ExpandingPolytope& polytope, const Core& a, const Core& b, double s
     for (int round = 0; round < most_rounds && !(g.best.gap > enough); ++round) {
         const int nearest = polytope.nearest();
         if (nearest < 0) break;
-        auto& face = polytope.face(nearest);
+        const auto& face = polytope.face(nearest);
         g.least = face.offset;
         if (g.least + slack >= -g.best.gap) break;
         const Corner corner = extreme(a, b, face.normal);
         const double height = dot(face.normal, corner.w);
         if (-height > g.best.gap) g.best = {-height, -face.normal};
         if (height - g.least <= slack * polytope.tilt(face, corner.w) || polytope.has(corner))
-            face.final = true;
+            polytope.finish(nearest);
         else if (!polytope.grow(nearest, corner))
             break;
     }

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "expanding_polytope.h"
 
+#include "lanes.h"
 #include "nearest.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace brink {
+
+/// Faces that hang together, in their order, and the edges around them.
+struct ExpandingPolytope::Region {
+    int count = 0, length = 0;
+    int faces[most_faces], edges[most_faces][2];
+
+    Region() {} // NOLINT(modernize-use-equals-default): as in Core
+    /// Whether the edges go round once: then the faces around hang together, too.
+    bool closed_once() const;
+};
 
 Witness witness(const Simplex& s)
 {
@@ -35,11 +46,11 @@ void ExpandingPolytope::set_face(int at, int i, int j, int k)
     const V3 p = corners_[i].w, n = face_normal(p, corners_[j].w, corners_[k].w);
     const double length = norm(n);
     Face& f = faces_[at];
-    f = {{i, j, k}, {}, infinity, true};
+    f = {{i, j, k}, {}, infinity};
+    finish(at);
     if (!(length > 0)) return;
     f.normal = (1 / length) * n;
-    f.offset = dot(f.normal, p);
-    f.final = false;
+    f.offset = open_[at] = dot(f.normal, p);
 }
 
 /// How far a point is beyond a face; 0 for one that is gone or has no area.
@@ -51,10 +62,14 @@ double ExpandingPolytope::height(int face, V3 w) const
 
 int ExpandingPolytope::nearest() const
 {
-    int best = -1;
-    for (int i = 0; i < face_count_; ++i)
-        if (!faces_[i].final && (best < 0 || faces_[i].offset < faces_[best].offset)) best = i;
-    return best;
+    Two low = both(infinity);
+    int i = 0;
+    for (; i + 1 < face_count_; i += 2)
+        low = smaller(load_two(&open_[i]), low);
+    double least = std::min(low[0], low[1]);
+    if (i < face_count_) least = std::min(least, open_[i]);
+    if (!(least < infinity)) return -1;
+    return static_cast<int>(std::find(open_, open_ + face_count_, least) - open_);
 }
 
 int ExpandingPolytope::brightest(V3 w) const
@@ -97,44 +112,103 @@ void ExpandingPolytope::flood(int from, const bool (&barred)[most_faces], bool (
     }
 }
 
-/// The new corner's cone takes the place of the faces seen from it. Rounding may leave islands among them, or
-/// scatter some elsewhere: what is taken away hangs together, and so does what is left.
-bool ExpandingPolytope::grow(int face, const Corner& corner)
+bool ExpandingPolytope::Region::closed_once() const
+{
+    int after[most_corners] = {}, steps = 0; // one more than the corner
+    for (int i = 0; i < length; ++i) {
+        if (after[edges[i][0]] != 0) return false;
+        after[edges[i][0]] = edges[i][1] + 1;
+    }
+    if (length == 0) return false;
+    const int first = edges[0][0];
+    int at = first;
+    do
+        at = after[at] - 1, ++steps;
+    while (at != first && steps < length);
+    return steps == length;
+}
+
+/// Finds the edges around a region; false where they are too many.
+bool ExpandingPolytope::enclose(Region& r, const bool (&inside)[most_faces]) const
+{
+    for (int i = 0; i < r.count; ++i) {
+        const int* c = faces_[r.faces[i]].corner;
+        for (int k = 0; k < 3; ++k) {
+            const int from = c[k], to = c[(k + 1) % 3];
+            if (inside[owner_[to][from]]) continue;
+            if (r.length == most_faces) return false;
+            r.edges[r.length][0] = from;
+            r.edges[r.length++][1] = to;
+        }
+    }
+    return true;
+}
+
+/// The faces that are seen from a corner and hang together with one that is taken for seen; false where
+/// rounding leaves more than one way around them, or none.
+bool ExpandingPolytope::see_nearby(Region& r, int face, V3 w)
+{
+    bool below = false;
+    r.faces[r.count++] = face;
+    marked_[face] = true;
+    for (int i = 0; i < r.count; ++i) {
+        const int* c = faces_[r.faces[i]].corner;
+        for (int k = 0; k < 3; ++k) {
+            const int next = owner_[c[(k + 1) % 3]][c[k]];
+            if (marked_[next]) continue;
+            const double above = height(next, w);
+            below = below || above < 0;
+            if (!(above > 0)) continue;
+            marked_[next] = true;
+            r.faces[r.count++] = next;
+        }
+    }
+    std::sort(r.faces, r.faces + r.count);
+    const bool enclosed = enclose(r, marked_);
+    for (int i = 0; i < r.count; ++i)
+        marked_[r.faces[i]] = false;
+    return below && enclosed && r.closed_once();
+}
+
+/// The same by a look at all faces. Rounding may leave islands among them, or scatter some elsewhere: what is
+/// taken away hangs together, and so does what is left.
+bool ExpandingPolytope::see_all(Region& r, int face, V3 w) const
 {
     bool seen[most_faces], kept[most_faces] = {}, gone[most_faces] = {};
     int darkest = face;
     double least = 0;
     for (int i = 0; i < face_count_; ++i) {
-        const double above = height(i, corner.w);
+        const double above = height(i, w);
         seen[i] = above > 0 || i == face;
         if (above < least) least = above, darkest = i;
     }
-    if (count_ == most_corners || darkest == face) return false;
+    if (darkest == face) return false;
     flood(darkest, seen, kept);
     flood(face, kept, gone);
+    r.count = r.length = 0;
+    for (int i = 0; i < face_count_; ++i)
+        if (gone[i]) r.faces[r.count++] = i;
+    return enclose(r, gone);
+}
 
-    int border[most_faces][2], length = 0;
-    for (int i = 0; i < face_count_; ++i) {
-        if (!gone[i]) continue;
-        const int* c = faces_[i].corner;
-        for (int k = 0; k < 3; ++k) {
-            const int from = c[k], to = c[(k + 1) % 3];
-            if (gone[owner_[to][from]]) continue;
-            if (length == most_faces) return false;
-            border[length][0] = from;
-            border[length++][1] = to;
-        }
-    }
-    const auto removed = static_cast<int>(std::count(gone, gone + face_count_, true));
-    if (face_count_ + std::max(0, length - removed - free_count_) > most_faces) return false;
-    for (int i = face_count_ - 1; i >= 0; --i) {
-        if (!gone[i]) continue;
-        faces_[i] = {{}, {}, infinity, true};
-        free_[free_count_++] = i;
+/// The new corner's cone takes the place of the faces seen from it.
+bool ExpandingPolytope::grow(int face, const Corner& corner)
+{
+    if (count_ == most_corners) return false;
+    Region seen;
+    if (!see_nearby(seen, face, corner.w) && !see_all(seen, face, corner.w)) return false;
+    if (face_count_ + std::max(0, seen.length - seen.count - free_count_) > most_faces) return false;
+    for (int i = seen.count - 1; i >= 0; --i) {
+        const int place = seen.faces[i];
+        faces_[place] = {{}, {}, infinity};
+        finish(place);
+        free_[free_count_++] = place;
     }
     corners_[count_] = corner;
-    for (int i = 0; i < length; ++i)
-        set_face(free_count_ > 0 ? free_[--free_count_] : face_count_++, border[i][0], border[i][1], count_);
+    for (int i = 0; i < seen.length; ++i) {
+        const int* edge = seen.edges[i];
+        set_face(free_count_ > 0 ? free_[--free_count_] : face_count_++, edge[0], edge[1], count_);
+    }
     ++count_;
     return true;
 }

@@ -26,7 +26,6 @@ public:
         int corner[3];
         V3 normal; // outwards, unit; zero for a face without an area
         double offset;
-        bool final; // as far out as it gets, up to rounding
     };
 
     /// Four points that do not lie in a plane.
@@ -34,9 +33,11 @@ public:
 
     /// How many places there are for faces: those that are gone name one corner three times.
     int places() const { return face_count_; }
-    Face& face(int i) { return faces_[i]; }
+    const Face& face(int i) const { return faces_[i]; }
     /// The face that is nearest to the origin, or the farthest before it, and not final; -1 where all are.
     int nearest() const;
+    /// Makes a face final: as far out as it gets, up to rounding.
+    void finish(int face) { open_[face] = infinity; }
     /// The face that w is the farthest beyond; -1 where it is beyond none.
     int brightest(V3 w) const;
     bool has(const Corner&) const;
@@ -49,12 +50,18 @@ public:
     Witness around(V3 point) const;
 
 private:
+    struct Region;
     void set_face(int at, int i, int j, int k);
     void flood(int from, const bool (&barred)[most_faces], bool (&reached)[most_faces]) const;
     double height(int face, V3 w) const;
+    bool enclose(Region&, const bool (&inside)[most_faces]) const;
+    bool see_nearby(Region&, int face, V3 w);
+    bool see_all(Region&, int face, V3 w) const;
 
     Corner corners_[most_corners];
     Face faces_[most_faces];
+    double open_[most_faces]; // the offsets of faces that are not final, else infinity
+    bool marked_[most_faces] = {};
     int count_ = 4, face_count_ = 0;
     int free_[most_faces], free_count_ = 0;          // places of faces that are gone
     std::uint8_t owner_[most_corners][most_corners]; // the face that goes round with this edge
