@@ -16,6 +16,9 @@ namespace {
 
 constexpr int narrowings = 4;
 
+/// The part of the way out, as far as its rate tells, beyond which nobody looks for a longer step.
+constexpr double nearly_out = 0.9;
+
 /// As long as a point of A and one of B stay within reach of each other.
 double within(const Facing<Core>& f, V3 a, V3 b, double reach, double horizon)
 {
@@ -115,6 +118,8 @@ double contact_step(const Facing<Core>& f, const Separation& contact, double rea
     };
     attempt([&] { return piercing_step({f.a, f.b, -f.velocity, -n, overlap, horizon}, a); });
     attempt([&] { return piercing_step({f.b, f.a, f.velocity, n, overlap, horizon}, b); });
+    const double opening = dot(n, f.velocity + cross(f.b.rate, b - f.b.pivot) - cross(f.a.rate, a));
+    if (lasting >= nearly_out * falls(reach + overlap, -opening, 0)) return lasting;
     attempt([&] { return overlapping(f, contact, horizon); });
     attempt([&] { return spindle_step(f, reach, horizon); });
     return lasting;
