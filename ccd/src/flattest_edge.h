@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact_features.h"
+#include "segments.h"
 #include "support.h"
 #include "tolerance.h"
 
@@ -31,6 +33,56 @@ static inline FlatEdge flattest_edge(const Core& c, V3 axis)
         edge.length = length;
     }
     return edge;
+}
+
+static inline bool has_rim(const Core& c)
+{
+    return c.kind == Core::Kind::cylinder || c.kind == Core::Kind::cone;
+}
+
+/// The unit vector across the axis of a cylinder or cone that leads the farthest along another axis.
+static inline V3 outwards(const Core& c, V3 axis)
+{
+    // In its own frame: what rounding leaves where the two axes are parallel is still across.
+    const V3 local = into(c.axes, axis);
+    const double length = std::sqrt(local.x * local.x + local.y * local.y);
+    return length > 0 ? (local.x / length) * c.axes.x + (local.y / length) * c.axes.y : c.axes.x;
+}
+
+/// The side of a cylinder or cone that lies flat against an axis, from its rim on.
+static inline Segment side(const Core& c, V3 axis)
+{
+    const V3 up = c.half_extents.z * c.axes.z, out = c.half_extents.x * outwards(c, axis);
+    return {c.centre + out - up, c.kind == Core::Kind::cylinder ? 2 * up : 2 * up - out};
+}
+
+/// The edges of a body that lie in its supporting plane: one, or some of a face's, or a side of what is
+/// round. Without any, a corner stands for them.
+struct FlatEdges {
+    int count = 0;
+    Feature feature[3];
+};
+
+static inline FlatEdges edges_across(const Core& body, V3 axis)
+{
+    FlatEdges edges;
+    const auto flat = [&](V3 along) {
+        const double length = norm(along);
+        if (length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length)
+            edges.feature[edges.count++] = {Feature::Kind::edge, (1 / length) * along};
+    };
+    if (has_rim(body)) flat(side(body, axis).edge);
+    if (!is_polytope(body)) return edges;
+    const int nearest = farthest(body, axis).corner;
+    const V3 top = corner(body, nearest);
+    for (int k = 0; k < body.count && edges.count < 3; ++k)
+        flat(corner(body, k) - top);
+    if (body.kind == Core::Kind::triangle && edges.count == 2) {
+        const V3 along = body.points[(nearest + 1) % 3] - body.points[(nearest + 2) % 3];
+        const double length = norm(along);
+        if (length > 0) edges.feature[edges.count++] = {Feature::Kind::edge, (1 / length) * along};
+    }
+    return edges;
 }
 
 /// Where an ellipsoid has a supporting plane at right angles to a unit axis, the tangent along which it is

@@ -3,6 +3,7 @@
 
 #include "contact_features.h"
 #include "corner_step.h"
+#include "flattest_edge.h"
 #include "persist.h"
 #include "stride.h"
 #include "support.h"
@@ -16,33 +17,6 @@ namespace brink {
 
 namespace {
 
-/// The edges of a body that lie in its supporting plane: one, or some of a face's. Without any, a corner
-/// stands for them.
-struct Edges {
-    int count = 0;
-    Feature feature[3];
-};
-
-Edges edges_across(const Core& body, V3 axis)
-{
-    Edges edges;
-    if (!is_polytope(body)) return edges;
-    const int nearest = farthest(body, axis).corner;
-    const V3 top = corner(body, nearest);
-    for (int k = 0; k < body.count && edges.count < 3; ++k) {
-        const V3 along = corner(body, k) - top;
-        const double length = norm(along);
-        if (length > 0 && std::fabs(dot(axis, along)) <= tolerance::flat_edge * length)
-            edges.feature[edges.count++] = {Feature::Kind::edge, (1 / length) * along};
-    }
-    if (body.kind == Core::Kind::triangle && edges.count == 2) {
-        const V3 along = body.points[(nearest + 1) % 3] - body.points[(nearest + 2) % 3];
-        const double length = norm(along);
-        if (length > 0) edges.feature[edges.count++] = {Feature::Kind::edge, (1 / length) * along};
-    }
-    return edges;
-}
-
 /// The longest time that some axis proves: at rest, glued to A, glued to B, and following the edges that
 /// touch.
 template <class Proves> double longest(const Facing<Core>& f, V3 normal, double horizon, const Proves& proves)
@@ -53,7 +27,7 @@ template <class Proves> double longest(const Facing<Core>& f, V3 normal, double 
     };
     better(f.a.rate);
     better(f.b.rate);
-    const Edges of_a = edges_across(f.a.part, normal), of_b = edges_across(f.b.part, -normal);
+    const FlatEdges of_a = edges_across(f.a.part, normal), of_b = edges_across(f.b.part, -normal);
     const bool faces = of_a.count > 1 || of_b.count > 1;
     if (faces && h > tolerance::standstill * horizon) return h;
     for (int i = 0; i < std::max(1, of_a.count); ++i)

@@ -51,37 +51,18 @@ V3 deepest(const Core& of, const Core& solid, V3 point)
     return point + highest_place(depth_at, 0, 1, enough) * way;
 }
 
-/// A straight line in a core.
-struct Line {
-    V3 from, way; // to its other end; zero where there is none
-};
-
-bool has_rim(const Core& c) { return c.kind == Core::Kind::cylinder || c.kind == Core::Kind::cone; }
-
-/// The unit vector across the axis of a cylinder or cone that leads the farthest along another axis.
-V3 outwards(const Core& c, V3 axis)
-{
-    // In its own frame: what rounding leaves where the two axes are parallel is still across.
-    const V3 local = into(c.axes, axis);
-    const double length = std::sqrt(local.x * local.x + local.y * local.y);
-    return length > 0 ? (local.x / length) * c.axes.x + (local.y / length) * c.axes.y : c.axes.x;
-}
-
 /// One that lies flat against an axis: an edge, or a side of a cylinder or cone.
-Line flat_line(const Core& c, V3 axis)
+Segment flat_stretch(const Core& c, V3 axis)
 {
-    if (has_edges(c)) {
-        const FlatEdge edge = flattest_edge(c, axis);
-        return {edge.top, edge.length * edge.along};
-    }
-    if (!has_rim(c)) return {};
-    const V3 up = c.half_extents.z * c.axes.z, out = c.half_extents.x * outwards(c, axis);
-    return {c.centre + out - up, c.kind == Core::Kind::cylinder ? 2 * up : 2 * up - out};
+    if (has_rim(c)) return side(c, axis);
+    if (!has_edges(c)) return {};
+    const FlatEdge edge = flattest_edge(c, axis);
+    return {edge.top, edge.length * edge.along};
 }
 
 /// Where the rim of a cylinder or cone lies farthest along an axis, a chord that cuts off little of what
 /// overlaps there.
-Line rim_chord(const Core& c, V3 axis, double overlap)
+Segment rim_chord(const Core& c, V3 axis, double overlap)
 {
     if (!has_rim(c)) return {};
     const V3 h = c.half_extents, z = c.axes.z, out = outwards(c, axis);
@@ -93,11 +74,11 @@ Line rim_chord(const Core& c, V3 axis, double overlap)
 
 /// As long as a point stays inside that goes along a line, from where that is deepest now to where it will be
 /// when the shortest way out has become zero.
-double crosses(const Piercing& p, const Line& line)
+double crosses(const Piercing& p, const Segment& line)
 {
-    const double length = norm(line.way);
+    const double length = norm(line.edge);
     if (!(length > 0)) return 0;
-    const auto at = [&](double part) { return line.from + part * line.way; };
+    const auto at = [&](double part) { return line.start + part * line.edge; };
     const auto deepest_after = [&](double h) {
         const auto depth_at = [&](double part) {
             const V3 point = at(part);
@@ -128,7 +109,7 @@ double piercing_step(const Piercing& p, V3 point)
         if (step < p.horizon) step = std::max(step, witness());
     };
     attempt([&] { return stays(p, deepest(p.of.part, p.solid.part, point)); });
-    attempt([&] { return crosses(p, flat_line(p.of.part, -p.outward)); });
+    attempt([&] { return crosses(p, flat_stretch(p.of.part, -p.outward)); });
     attempt([&] { return crosses(p, rim_chord(p.of.part, -p.outward, p.overlap)); });
     return step;
 }
