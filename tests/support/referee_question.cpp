@@ -101,7 +101,8 @@ Leaving Question::leaving() const
         if (t >= t_max) return out;
         const long double by_speed = coarse_.fastest() > 0 ? (target - gap.upper) / coarse_.fastest() : t_max;
         before = t;
-        t = std::min(t_max, t + std::max(std::min(by_speed, 0.01L), 1e-5L));
+        const long double least = std::clamp(t / 8, 1e-9L, 1e-5L); // contact may be left for a moment only
+        t = std::min(t_max, t + std::max(std::min(by_speed, 0.01L), least));
         const bool depth_known = gap.depth_known;
         gap = coarse_.at(t, gap.normal);
         highest = std::max(highest, gap.upper);
