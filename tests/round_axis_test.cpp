@@ -109,3 +109,39 @@ TEST_CASE(
     CHECK(asked > 11'000);
     CHECK(wide < asked / 200);
 }
+
+TEST_CASE(
+    "nearly best axis: of an ellipsoid apart from what has no faces, as nearly as asked, from one beside")
+{
+    Random random(146);
+    int found = 0, asked = 0;
+    for (int i = 0; i < 6'000; ++i) {
+        const auto radius = [&] { return random.log_between(0.1, 1); };
+        const double x = radius(), y = radius(), z = radius();
+        const Core a = placed(core(Ellipsoid{{x, y, z}}), rotation(random.rotation()), {});
+        const Core others[] = {core(Sphere{0.1}), core(Capsule{{0, 0, -x}, {0, 0, y}, 0}),
+                               core(Ellipsoid{{z, x, y}}), core(Cylinder{x, y}), core(Cone{y, z})};
+        const Core b =
+            placed(others[i % 5], rotation(random.rotation()), random.between(0.5, 4) * load(random.unit()));
+        const Separation s = separation(a, b);
+        const double gap = s.gap + b.radius;
+        CAPTURE(i);
+        const V3 start = tilted(random, s.normal, random.log_between(1e-6, 0.3));
+        const LocalTop top = nearly_best(a, b, start, {8 * eps, 1e-4, 0.5 * gap});
+        if (gap < -1e-9) CHECK(!top.top);
+        if (!(gap > 1e-3)) continue;
+        ++asked;
+        if (!top.top) continue;
+        ++found;
+        CHECK(std::fabs(top.axis.gap - gap_along(a, b, top.axis.normal)) <= 16 * eps);
+        CHECK(norm(top.v) - top.axis.gap <= 8 * eps + 1e-4 * (norm(top.v) - 0.5 * gap));
+        CHECK(top.axis.gap <= gap + 32 * eps);
+        Core on_a, on_b; // points of the cores
+        on_a.points[0] = top.point_a, on_b.points[0] = top.point_a + top.v;
+        CHECK(separation(on_a, a).gap <= 32 * eps);
+        CHECK(separation(on_b, b).gap + b.radius <= 32 * eps);
+    }
+    CAPTURE(found);
+    CHECK(asked > 3'000);
+    CHECK(found > 0.8 * asked);
+}

@@ -21,6 +21,14 @@ Simplex towards(const Core& a, const Core& b, V3 normal)
     return s;
 }
 
+/// Whether the axis between the nearest points turns smoothly as the bodies move: along an ellipsoid, against
+/// anything without faces.
+bool rolls(const Core& a, const Core& b)
+{
+    const auto faces = [](const Core& c) { return c.kind >= triangle && c.kind <= hull; };
+    return (a.kind == ellipsoid && !faces(b)) || (b.kind == ellipsoid && !faces(a));
+}
+
 TurningAxis axis_of(const Facing<Core>& f, const Features& features, V3 v, V3 towards)
 {
     return axis_between(features.of_a, f.a.rate, features.of_b, f.b.rate, v, towards);
@@ -101,6 +109,21 @@ Sight Watch::look_closely(const Facing<Core>& f)
     return s;
 }
 
+Sight Watch::seen(const LocalTop& top)
+{
+    towards_ = top.axis.normal;
+    corners_ = {};
+    Sight s;
+    s.normal = towards_;
+    s.axis = {towards_, {}};
+    s.apart = top.axis.gap;
+    s.guessed = true;
+    s.upper = norm(top.v);
+    s.point_a = top.point_a;
+    s.v = top.v;
+    return s;
+}
+
 /// Nothing where the cores overlap; no points and no features where they are proven to be more than `apart`.
 Sight Watch::look_by_gjk(const Facing<Core>& f, double relative, double apart)
 {
@@ -110,6 +133,8 @@ Sight Watch::look_by_gjk(const Facing<Core>& f, double relative, double apart)
                           : towards_ == V3{} ? Simplex{}
                                              : towards(a, b, towards_);
     const Nearness near{tolerance::tight * scale, relative, f.margin, apart};
+    if (relative > 0 && !(towards_ == V3{}) && rolls(a, b))
+        if (const LocalTop top = nearly_best(a, b, towards_, near); top.top) return seen(top);
     Closest c = gjk(a, b, near, start);
     // Rounding may close a flat simplex over the origin: the last axis knows whether they are apart.
     if (c.inside && gap_along(a, b, towards_) > 0) c = gjk(a, b, near, towards(a, b, towards_));

@@ -4,6 +4,7 @@
 #include "box_axes.h"
 #include "certificate.h"
 #include "closed_sight.h"
+#include "round_axis.h"
 
 #include <optional>
 
@@ -85,6 +86,7 @@ private:
     enum class Method : unsigned char { segments, thin_box, point_round, boxes, any };
     static Method method(const Core& a, const Core& b);
     Sight look_at_boxes(const Facing<Core>&);
+    Sight seen(const LocalTop&);
     Sight look_by_gjk(const Facing<Core>&, double relative, double apart = infinity);
 
     Method method_;

@@ -10,7 +10,7 @@ namespace brink {
 
 namespace {
 
-constexpr int most_rounds = 12;
+constexpr int most_rounds = 12, most_rounds_nearly = 6;
 /// Of a direction, in radians: half of a double's digits.
 constexpr double apart = 0x1p-20;
 /// The same where only the ends of a line are asked for.
@@ -28,7 +28,13 @@ using Corner = Simplex::Corner;
 /// The gap along axes about a given one, and how it changes, in two directions at right angles to it.
 class Chart {
 public:
-    Chart(const Core& a, const Core& b, V3 axis, double size);
+    Chart(const Core& a, const Core& b, V3 axis, double size)
+        : a_(a), b_(b), axis_(axis), size_(size), here_(support(axis))
+    {
+        nearest_.add(here_);
+    }
+    /// Needed by step(), gain() and, of lines, top().
+    void look_around();
 
     /// A step to where the gap is the largest.
     V3 step() const;
@@ -36,8 +42,14 @@ public:
     V3 lowest() const { return here_.w; }
     /// What it promises to gain.
     double gain() const { return std::fabs(first_.gain) + std::fabs(second_.gain); }
-    /// Where the difference comes nearest to the origin.
-    Simplex nearest() const { return nearest_; }
+    /// Where the difference comes nearest to the origin, and the axis, which is a top or not.
+    LocalTop top(const Axis& axis, bool top) const
+    {
+        LocalTop t{axis, top, {}, nearest_.point()};
+        for (int k = 0; k < nearest_.size; ++k)
+            t.point_a = t.point_a + nearest_.corners[k].weight * nearest_.corners[k].on_a;
+        return t;
+    }
 
 private:
     struct Way {
@@ -74,11 +86,9 @@ private:
     Way first_, second_;
 };
 
-Chart::Chart(const Core& a, const Core& b, V3 axis, double size)
-    : a_(a), b_(b), axis_(axis), size_(size), here_(support(axis))
+void Chart::look_around()
 {
-    nearest_.add(here_);
-    const V3 e = any_perpendicular(axis), f = cross(axis, e);
+    const V3 e = any_perpendicular(axis_), f = cross(axis_, e);
     const V3 by_e = ends(e, apart).line(), by_f = ends(f, apart).line();
     const double scale = 0.5 / apart, ee = scale * dot(by_e, e), ff = scale * dot(by_f, f);
     const double ef = 0.5 * scale * (dot(by_e, f) + dot(by_f, e)), half = 0.5 * (ee - ff);
@@ -91,7 +101,7 @@ Chart::Chart(const Core& a, const Core& b, V3 axis, double size)
         return;
     }
     first_ = smooth(way, strong, here_.w);
-    second_ = smooth(cross(axis, way), 0.5 * (ee + ff) + root, here_.w);
+    second_ = smooth(cross(axis_, way), 0.5 * (ee + ff) + root, here_.w);
 }
 
 /// A way of two that do not bend into each other.
@@ -180,14 +190,12 @@ LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double sl
     V3 axis = start.normal, last;
     double most = -infinity;
     for (int round = 0; round < most_rounds; ++round) {
-        const Chart chart(a, b, axis, size);
+        Chart chart(a, b, axis, size);
+        chart.look_around();
         const double gap = gap_along(a, b, axis);
         const bool better = !(gap < most - 0.25 * slack); // below that it is rounding
         if (better) {
-            const Simplex s = chart.nearest();
-            best = {{gap, axis}, chart.gain() <= slack, {}, s.point()};
-            for (int k = 0; k < s.size; ++k)
-                best.point_a = best.point_a + s.corners[k].weight * s.corners[k].on_a;
+            best = chart.top({gap, axis}, chart.gain() <= slack);
             most = std::max(most, gap);
         }
         const V3 top = best.axis.normal;
@@ -198,6 +206,33 @@ LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double sl
         axis = (1 / norm(axis)) * axis;
     }
     return best;
+}
+
+LocalTop nearly_best(const Core& a, const Core& b, V3 start, const Nearness& near)
+{
+    const double size = std::max(extent(a), extent(b));
+    V3 axis = start, last;
+    double most = -infinity;
+    for (int round = 0; round < most_rounds_nearly; ++round) {
+        Chart chart(a, b, axis, size);
+        const auto found = [&] {
+            LocalTop here = chart.top({dot(axis, chart.lowest()), axis}, false);
+            const double gap = here.axis.gap, distance = norm(here.v);
+            const double enough = near.slack + near.relative * std::max(0.0, distance - near.reach);
+            here.top = gap > 0 && distance - gap <= enough;
+            return here;
+        };
+        LocalTop here = found();
+        if (here.top) return here;
+        if (!(here.axis.gap > most)) break;
+        most = here.axis.gap;
+        chart.look_around();
+        here = found();
+        if (here.top) return here;
+        axis = axis + hastened(chart.step(), last);
+        axis = (1 / norm(axis)) * axis;
+    }
+    return {};
 }
 
 } // namespace brink

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "gjk.h"
 #include "sat.h"
 
 namespace brink {
@@ -19,5 +20,8 @@ struct LocalTop {
 /// against the plane, the axis is made to stand upright on it and goes on along the ridge. A step over a
 /// ridge goes back to where it crossed it. Never worse than the axis given by more than the slack.
 LocalTop locally_best(const Core& a, const Core& b, const Axis& start, double slack);
+/// The same, but no farther than until the gap and the distance of the points agree as nearly as asked, of
+/// cores apart: whether they do is `top`, and without it the rest is of no use.
+LocalTop nearly_best(const Core& a, const Core& b, V3 start, const Nearness&);
 
 } // namespace brink
