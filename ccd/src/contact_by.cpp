@@ -2,6 +2,7 @@
 #include "contact_by.h"
 
 #include "depth.h"
+#include "piercing.h"
 #include "tolerance.h"
 #include "trend.h"
 
@@ -45,8 +46,15 @@ bool in_contact(const Course<Core>& course, const Sight& sight, double later)
     if (course.radii > 0) return norm(on_b - gone.a) + doubt <= course.radii;
     return depth(f.b.part, gone.a) > doubt || depth(f.a.part, gone.b) > doubt;
 }
-bool in_contact(Course<Border>& course, const Sight&, double later)
+bool in_contact(Course<Border>& course, const Sight& sight, double later)
 {
+    const Facing<Border>& f = course.facing();
+    const V3 p = sight.point_a;
+    const double h = later - course.now(), speed = norm(f.velocity) + f.a.angle * norm(p);
+    const Drift d = drift(f.a, f.b, -f.velocity, p, norm(p - f.b.pivot) + h * speed);
+    const double bent = 0.5 * d.acceleration * h * h, doubt = course.rounding + bent;
+    if (bent <= course.rounding)
+        return sight.upper - h * dot(sight.normal, d.velocity) + doubt <= course.radii;
     const double now = course.now();
     course.go(later);
     const double gap = course.separated().gap;
