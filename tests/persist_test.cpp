@@ -172,6 +172,35 @@ TEST_CASE("contact_step: an edge, a side or a rim that slides out is followed to
     CHECK(most < 20);
 }
 
+TEST_CASE("overlap_step: cores stay as deep in each other as is to be kept")
+{
+    Random random(57);
+    int proven = 0, far = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
+        const Motion motion_a = random_motion(random, 0.6), motion_b = random_motion(random, 0.6);
+        const double t = random.between(0, 0.9), part = random.between(0, 1), rate = random.between(0, 3);
+        const TwoBodies<Core> scene{moving_core(a, motion_a), moving_core(b, motion_b)};
+        const Moment<Core> moment(scene, t);
+        const Separation now = separation(moment.a, moment.b);
+        if (!(now.gap < 0)) continue;
+        CAPTURE(i);
+        const Kept kept{part * -now.gap, rate};
+        const double step = overlap_step(moment.facing(), now, kept, 1 - t);
+        if (!(step > 0)) continue;
+        double least = infinity;
+        for (int k = 0; k <= 64; ++k) {
+            const double h = step * k / 64;
+            least = std::min(least, -scene.at(t + h).gap - std::max(0.0, kept.depth - kept.rate * h));
+        }
+        CHECK(least >= -1e-12);
+        ++proven;
+        far += step * rate > kept.depth;
+    }
+    CHECK(proven > 1'000);
+    CHECK(far > 100);
+}
+
 TEST_CASE("contact_step: planes and half-spaces")
 {
     Random random(53);

@@ -17,6 +17,10 @@ namespace brink {
 
 namespace {
 
+/// The part of an overlap by which it may grow unseen between two looks, and how far an axis may turn until
+/// then (radians): its cosine is no less than 1 - unseen / 2.
+constexpr double unseen = 0x1p-4, most_turned = 0x1p-2;
+
 /// The longest time that some axis proves: at rest, glued to A, glued to B, and following the edges that
 /// touch.
 template <class Proves> double longest(const Facing<Core>& f, V3 normal, double horizon, const Proves& proves)
@@ -46,6 +50,26 @@ double rising(const Facing<Border>& f, V3 normal, double horizon)
 {
     return rising_step(f, TurningAxis{normal, f.b.rate}, horizon);
 }
+
+/// Over which cores that overlap provably part, at hardly less than the rate of now, and are as provably not
+/// much farther apart than that tells: a fall by more than the part `unseen` of the overlap would be seen.
+double parting_step(const Facing<Core>& f, const Separation& now, double horizon)
+{
+    const V3 n = now.normal, a = now.point_a - f.a.part.radius * n, b = now.point_b + f.b.part.radius * n;
+    const double overlap = -(now.gap + f.a.part.radius + f.b.part.radius);
+    const double rate = dot(n, f.velocity + cross(f.b.rate, b - f.b.pivot) - cross(f.a.rate, a));
+    if (!(overlap > 0 && rate > 0)) return 0;
+    // Where what is left once that rate is taken off does not fall, the gap rises by it along the axis of
+    // now.
+    Facing<Core> slower = f;
+    slower.velocity = f.velocity - ((1 - 0.5 * unseen) * rate) * n;
+    const double rises = longest(slower, n, horizon, [&](const TurningAxis& axis) {
+        const double turn = norm(axis.spin), aside = turn > 0 ? most_turned / turn : infinity;
+        return std::min(rising_step(slower, axis, horizon), aside);
+    });
+    return overlap_step(f, now, {(1 - unseen) * overlap, (1 - unseen) * rate}, rises);
+}
+double parting_step(const Facing<Border>&, const Separation&, double) { return 0; }
 
 /// The same point by point, at rest and glued to either.
 double rising_by_corners(const Facing<Core>& f, V3 normal, double horizon)
@@ -214,7 +238,8 @@ template <class Part> double Leaving<Part>::step_away() const
     if (!(way >= least)) return 0;
     if (!(gap() < -course_.tolerance)) return way;
     const double shallow = tolerance::watchful * -gap() / course_.fastest;
-    return way <= shallow ? way : std::max(shallow, growing(f, now_, way));
+    if (way <= shallow) return way;
+    return std::max({shallow, growing(f, now_, way), parting_step(f, now_, left)});
 }
 
 /// A step over which the gap provably does not exceed the target by more than the tolerance.

@@ -42,8 +42,9 @@ Way way_between(const Facing<Core>& f, V3 a, V3 b)
             f.b.angle * norm(of_b) + f.a.angle * norm(of_a)};
 }
 
-/// As long as the volume that three ways span, times `side`, stays positive.
-double spanned(const Way& p, const Way& q, const Way& r, double side, double horizon)
+/// As long as the volume that three ways span, times `side`, stays positive, and the origin as far inside the
+/// plane through their ends as is to be kept.
+double spanned(const Way& p, const Way& q, const Way& r, double side, const Kept& kept, double horizon)
 {
     const V3 by_q = cross(q.now, r.now);
     const double volume = side * dot(p.now, by_q);
@@ -54,29 +55,36 @@ double spanned(const Way& p, const Way& q, const Way& r, double side, double hor
     const double bend = p.bend * at_q * at_r + q.bend * at_r * at_p + r.bend * at_p * at_q +
                         2 * (p.speed * q.speed * at_r + q.speed * r.speed * at_p + r.speed * p.speed * at_q);
     const double spare = volume - tolerance::tight * at_p * at_q * at_r;
-    return spare > 0 ? std::min(horizon, falls(spare, rate, bend)) : 0;
+    // The distance from the plane through the ends, times twice the area between them.
+    const double to_q = norm(q.rate - p.rate) + horizon * (q.bend + p.bend),
+                 to_r = norm(r.rate - p.rate) + horizon * (r.bend + p.bend);
+    const double area = norm(cross(q.now - p.now, r.now - p.now));
+    const double grows =
+        to_q * (norm(r.now - p.now) + horizon * to_r) + to_r * (norm(q.now - p.now) + horizon * to_q);
+    const double left = spare - kept.depth * area, gained = kept.rate * area - kept.depth * grows;
+    if (!(spare > 0 && left >= 0)) return 0;
+    return std::min({horizon, falls(spare, rate, bend), falls(left, rate + gained, bend)});
 }
 
 /// As long as four ways close over the origin, as their volumes on all sides keep one sign: the origin is a
 /// mean of them, and the same means of both ends are one point of both cores.
-double closed(const Way (&w)[4], double horizon)
+double closed(const Way (&w)[4], const Kept& kept, double horizon)
 {
     const double side =
         dot(w[0].now - w[3].now, cross(w[1].now - w[3].now, w[2].now - w[3].now)) > 0 ? 1 : -1;
     double best = 0;
     for (int i = 0; i < narrowings && horizon > best; ++i) { // bends are bounded better over less time
-        const double h =
-            std::min({spanned(w[0], w[1], w[2], side, horizon), spanned(w[0], w[2], w[3], side, horizon),
-                      spanned(w[0], w[3], w[1], side, horizon), spanned(w[1], w[3], w[2], side, horizon)});
+        const auto by = [&](int p, int q, int r) { return spanned(w[p], w[q], w[r], side, kept, horizon); };
+        const double h = std::min({by(0, 1, 2), by(0, 2, 3), by(0, 3, 1), by(1, 3, 2)});
         best = std::max(best, h);
         horizon = std::min(horizon, 4 * h);
     }
     return best;
 }
 
-/// As long as cores that overlap do by three pairs of points about where the way out is the shortest, and one
-/// pair far from there.
-double overlapping(const Facing<Core>& f, const Separation& contact, double horizon)
+} // namespace
+
+double overlap_step(const Facing<Core>& f, const Separation& contact, const Kept& kept, double horizon)
 {
     const Core &a = f.a.part, &b = f.b.part;
     const V3 n = contact.normal;
@@ -91,21 +99,20 @@ double overlapping(const Facing<Core>& f, const Separation& contact, double hori
     if (!c.inside && c.simplex.size == 3) {
         for (int k = 0; k < 3; ++k)
             w[k] = way_between(f, c.simplex.corners[k].on_a, c.simplex.corners[k].on_b - out);
-        best = closed(w, horizon);
+        best = closed(w, kept, horizon);
     }
     // Round ones: where the surface has fallen by a part of the depth.
-    const double least = std::sqrt(depth / norm(w[3].now)), half_root_three = 0.8660254037844386;
+    const double fine = kept.depth > 0 ? 0.25 : 1; // cut off less of it
+    const double least = fine * std::sqrt(depth / norm(w[3].now)), half_root_three = 0.8660254037844386;
     for (const double tilt : {0.5 * least, least, 2 * least, 4 * least}) {
         const V3 x = tilt * any_perpendicular(n), y = cross(n, x);
         const V3 around[] = {x, half_root_three * y - 0.5 * x, -half_root_three * y - 0.5 * x};
         for (int k = 0; k < 3; ++k)
             w[k] = way_between(f, farthest(a, n + around[k]).point, farthest(b, -n - around[k]).point);
-        best = std::max(best, closed(w, horizon));
+        best = std::max(best, closed(w, kept, horizon));
     }
     return best;
 }
-
-} // namespace
 
 double contact_step(const Facing<Core>& f, const Separation& contact, double reach, double horizon)
 {
@@ -120,7 +127,7 @@ double contact_step(const Facing<Core>& f, const Separation& contact, double rea
     attempt([&] { return piercing_step({f.b, f.a, f.velocity, n, overlap, horizon}, b); });
     const double opening = dot(n, f.velocity + cross(f.b.rate, b - f.b.pivot) - cross(f.a.rate, a));
     if (lasting >= nearly_out * falls(reach + overlap, -opening, 0)) return lasting;
-    attempt([&] { return overlapping(f, contact, horizon); });
+    attempt([&] { return overlap_step(f, contact, {}, horizon); });
     attempt([&] { return spindle_step(f, reach, horizon); });
     return lasting;
 }
