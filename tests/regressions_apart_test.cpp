@@ -156,3 +156,21 @@ TEST_CASE("regression: an edge that slides out of a cone, a rod or a disc is fol
                Vec3(-0x1.9a6f6dbf2f9a3p-4, 0x1.2eb241b33efebp-4, -0x1.a16b8a1a90883p-7), Vec3(0, 0, 0)},
         Options{1, 0, 0x1.12e0be826d695p-30, StartContact::ignore, Detail::contact, 256}});
 }
+
+TEST_CASE("regression: the points of a rim that ends level with a face are as near as the two are")
+{
+    // The distance was told as 0.25 and 7e-9, half of the digits, and the contact at the start was
+    // `undecided`.
+    const Distance apart = distance(Box{Vec3(1.5, 1.75, 1.5)}, {Vec3(0.25, -3.25, -3), Quat(1, 0, 0, 0)},
+                                    Cylinder{1, 0.5}, {Vec3(-0.25, -0.75, -0.5), Quat(1, 0, 0, 0)});
+    CHECK(std::fabs(apart.gap - 0.25) < 1e-13);
+    CHECK(std::fabs((apart.point_b - apart.point_a).norm() - 0.25) < 1e-13);
+    check(Query{
+        Box{Vec3(0x1.8p+0, 0x1.cp+0, 0x1.8p+0)},
+        Motion{Pose{Vec3(0x1p-2, -0x1.ap+1, -3), Quat(1, 0, 0, 0)}, Vec3(-2, 0x1.cp+0, -0x1.3p+2),
+               Vec3(0, 0, 0), Vec3(0, 0, 0)},
+        Cylinder{1, 0x1p-1},
+        Motion{Pose{Vec3(-0x1p-2, -0x1.8p-1, -0x1p-1), Quat(1, 0, 0, 0)}, Vec3(0, 0, 0),
+               Vec3(-0x1.1f683248167d7p+0, -0x1.18842241d3ddbp+3, -0x1.94c38c027e9f9p+1), Vec3(0, 0, 0)},
+        Options{1, 0x1p-2, 0x1.19799812dea11p-40, StartContact::ignore_if_separating, Detail::contact, 256}});
+}

@@ -133,7 +133,7 @@ template <class Part> bool Advance<Part>::can_leap()
 /// Where no step leads on: contact if the bodies are near enough all over, though looks have not shown it.
 template <class Part> Toi Advance<Part>::in_doubt()
 {
-    sight_ = watch_.look_hardest(course_.facing());
+    sight_ = watch_.look_hard(course_.facing());
     return nearly() ? arrived() : course_.answer(Status::undecided, contact());
 }
 

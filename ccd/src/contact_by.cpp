@@ -3,6 +3,7 @@
 
 #include "depth.h"
 #include "piercing.h"
+#include "support.h"
 #include "tolerance.h"
 #include "trend.h"
 
@@ -53,8 +54,10 @@ bool in_contact(Course<Border>& course, const Sight& sight, double later)
     const double h = later - course.now(), speed = norm(f.velocity) + f.a.angle * norm(p);
     const Drift d = drift(f.a, f.b, -f.velocity, p, norm(p - f.b.pivot) + h * speed);
     const double bent = 0.5 * d.acceleration * h * h, doubt = course.rounding + bent;
-    if (bent <= course.rounding)
-        return sight.upper - h * dot(sight.normal, d.velocity) + doubt <= course.radii;
+    // The other side of the body must not have passed the plane by then.
+    const V3 n = sight.normal, other = farthest(f.a.part, -n).point;
+    const bool holds = f.b.part.solid || sight.upper + dot(n, p - other) > h * course.fastest;
+    if (bent <= course.rounding && holds) return sight.upper - h * dot(n, d.velocity) + doubt <= course.radii;
     const double now = course.now();
     course.go(later);
     const double gap = course.separated().gap;

@@ -172,24 +172,6 @@ Sight Watch::look_hard(const Facing<Core>& f)
     return s;
 }
 
-Sight Watch::look_hardest(const Facing<Core>& f)
-{
-    Sight s = look_hard(f);
-    Core a = f.a.part, b = f.b.part, at;
-    a.radius = b.radius = 0;
-    for (int i = 0; i < tolerance::most_returns; ++i) {
-        at.points[0] = s.point_a;
-        const V3 on_b = separation(at, b).point_b;
-        at.points[0] = on_b;
-        const V3 on_a = separation(a, at).point_a, v = on_b - on_a;
-        if (!(norm(v) < s.upper)) break;
-        s.point_a = on_a;
-        s.v = v;
-        s.upper = norm(v);
-    }
-    return s;
-}
-
 Sight Watch::follow(const Facing<Core>& f)
 {
     const Core &a = f.a.part, &b = f.b.part;

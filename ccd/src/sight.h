@@ -65,9 +65,6 @@ public:
     Sight look_closely(const Facing<Core>&);
     /// The same by the longest way, which nothing can lead astray.
     static Sight look_hard(const Facing<Core>&);
-    /// The same with points as near as they come by going from one core's nearest to the other's: those of
-    /// curved cores are known to half of the digits or so where they all but touch.
-    static Sight look_hardest(const Facing<Core>&);
     /// Whether the features last seen can be followed without an evaluation.
     bool can_follow() const { return method_ == Method::boxes || corners_.known(); }
     /// Whether what is seen from afar is likely to be what meets: of a corner among many it is not.
@@ -105,7 +102,6 @@ public:
     static Sight look(const Facing<Border>&);
     static Sight look_ahead(const Facing<Border>& f) { return look(f); }
     static Sight look_hard(const Facing<Border>& f) { return look(f); }
-    static Sight look_hardest(const Facing<Border>& f) { return look(f); }
     static bool can_follow() { return true; }
     static bool can_glance() { return false; }
     static Glance glance(const Facing<Border>&) { return {}; }

@@ -138,9 +138,6 @@ inline constexpr int quick_way = 8;
 inline constexpr int most_guesses = 8;
 inline constexpr int most_leaps = 2;
 
-/// So often points of cores that all but touch go to the other core and back before an answer is `undecided`.
-inline constexpr int most_returns = 8;
-
 /// After so many looks a point's way past a core is left to the general advancement: likewise a guess.
 inline constexpr int most_passing = 24;
 

@@ -18,6 +18,8 @@ namespace brink {
 
 namespace {
 
+constexpr int most_returns = 64; // a rim beside a face comes nearer by a third or so each time
+
 /// The corners of a core that its supporting plane touches, which is that far along n.
 Patch touched(const Core& c, V3 n, double height, double slack)
 {
@@ -239,6 +241,27 @@ Separation with_points(const Core& a, const Core& b, const Penetration& p, doubl
     return {p.lower, gap, p.normal, point_a, point_a + gap * p.normal};
 }
 
+/// With points that go from one core's nearest to the other's and back as long as that brings them nearer: of
+/// a rim beside a face, or of what all but touches, the others know half of the digits or so.
+Separation returned(Core a, Core b, Separation s, double enough)
+{
+    Core at;
+    if (a.kind == at.kind || b.kind == at.kind) return s; // a point stays where it is
+    a.radius = b.radius = 0;
+    for (int i = 0; i < most_returns && doubt(s) > enough; ++i) {
+        at.points[0] = s.point_a;
+        const V3 on_b = separation(at, b).point_b;
+        at.points[0] = on_b;
+        const V3 on_a = separation(a, at).point_a;
+        const double distance = norm(on_b - on_a);
+        if (!(distance < s.gap)) break;
+        s.point_a = on_a;
+        s.gap = std::max(s.lower, distance);
+        s.point_b = s.point_a + s.gap * s.normal;
+    }
+    return s;
+}
+
 /// Cores of many corners or none, of which GJK was not certain.
 Separation by_support(const Core& a, const Core& b, const Closest& c, double slack)
 {
@@ -250,9 +273,10 @@ Separation by_support(const Core& a, const Core& b, const Closest& c, double sla
         const bool shown = doubt(near) <= slack && aside(near) <= slack;
         return shown || !(near.lower > slack) ? near : by_foremost(a, b, near, slack);
     }
-    if (!apart || doubt(near) <= tolerance::agreed * slack) return near;
+    if (!apart) return near;
+    if (doubt(near) <= tolerance::agreed * slack) return returned(a, b, near, slack);
     const Separation other = with_points(a, b, separation_by_growth(a, b, slack), slack);
-    return other.lower > slack && doubt(other) < doubt(near) ? other : near;
+    return returned(a, b, other.lower > slack && doubt(other) < doubt(near) ? other : near, slack);
 }
 
 } // namespace
