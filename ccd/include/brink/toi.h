@@ -13,7 +13,9 @@ namespace brink {
 /// the tolerance may be passed over.
 enum class StartContact : unsigned char {
     report,               // say `touching`
-    ignore_if_separating, // if the gap is proven not to decrease, look for the next contact; else `touching`
+    ignore_if_separating, // if the gap is proven not to decrease, look for the next contact; else `touching`.
+                          // Of bodies that turn and overlap by more than the tolerance, a fall by less than a
+                          // quarter of the overlap and back may go unseen
     ignore,               // look for the next contact, after the gap has first exceeded target_gap
 };
 
