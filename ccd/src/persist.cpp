@@ -55,6 +55,9 @@ double spanned(const Way& p, const Way& q, const Way& r, double side, const Kept
     const double bend = p.bend * at_q * at_r + q.bend * at_r * at_p + r.bend * at_p * at_q +
                         2 * (p.speed * q.speed * at_r + q.speed * r.speed * at_p + r.speed * p.speed * at_q);
     const double spare = volume - tolerance::tight * at_p * at_q * at_r;
+    if (!(spare > 0)) return 0;
+    const double closes = std::min(horizon, falls(spare, rate, bend));
+    if (kept.depth == 0) return closes;
     // The distance from the plane through the ends, times twice the area between them.
     const double to_q = norm(q.rate - p.rate) + horizon * (q.bend + p.bend),
                  to_r = norm(r.rate - p.rate) + horizon * (r.bend + p.bend);
@@ -62,8 +65,7 @@ double spanned(const Way& p, const Way& q, const Way& r, double side, const Kept
     const double grows =
         to_q * (norm(r.now - p.now) + horizon * to_r) + to_r * (norm(q.now - p.now) + horizon * to_q);
     const double left = spare - kept.depth * area, gained = kept.rate * area - kept.depth * grows;
-    if (!(spare > 0 && left >= 0)) return 0;
-    return std::min({horizon, falls(spare, rate, bend), falls(left, rate + gained, bend)});
+    return left >= 0 ? std::min(closes, falls(left, rate + gained, bend)) : 0;
 }
 
 /// As long as four ways close over the origin, as their volumes on all sides keep one sign: the origin is a
