@@ -107,7 +107,7 @@ TEST_CASE("leave: what does not prove to separate is touching")
 
 TEST_CASE("leave: cores that overlap a little and part are let go in a few looks")
 {
-    // Seven of ten were `touching` after half of the budget.
+    // More than half were `touching`, after half of the budget.
     Random random(274);
     int parting = 0, held = 0, looks = 0;
     for (int i = 0; i < 2'000; ++i) {

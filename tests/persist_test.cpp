@@ -117,11 +117,9 @@ TEST_CASE("contact_step: cores that overlap, until the last of it")
     Tally tally;
     int shallow = 0, beyond_first_order = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
-        const Motion motion_a = random_motion(random, 0.6), motion_b = random_motion(random, 0.6);
+        const TwoBodies<Core> scene = random_bodies(random, i, 0.6);
         const double t = random.between(0, 0.9);
         CAPTURE(i);
-        const TwoBodies<Core> scene{moving_core(a, motion_a), moving_core(b, motion_b)};
         const Moment<Core> moment(scene, t);
         const double radii = moment.a.radius + moment.b.radius;
         const Separation now = separation(moment.a, moment.b);
@@ -177,10 +175,8 @@ TEST_CASE("overlap_step: cores stay as deep in each other as is to be kept")
     Random random(57);
     int proven = 0, far = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
-        const Motion motion_a = random_motion(random, 0.6), motion_b = random_motion(random, 0.6);
+        const TwoBodies<Core> scene = random_bodies(random, i, 0.6);
         const double t = random.between(0, 0.9), part = random.between(0, 1), rate = random.between(0, 3);
-        const TwoBodies<Core> scene{moving_core(a, motion_a), moving_core(b, motion_b)};
         const Moment<Core> moment(scene, t);
         const Separation now = separation(moment.a, moment.b);
         if (!(now.gap < 0)) continue;

@@ -116,6 +116,14 @@ inline Mover<Core> moving_core(const Shape& shape, const Motion& motion)
     return mover(std::get<Box>(shape), motion);
 }
 
+/// Two bodies of the i-th pair of kinds.
+inline TwoBodies<Core> random_bodies(support::Random& random, int i, double reach)
+{
+    const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
+    const Motion motion_a = random_motion(random, reach), motion_b = random_motion(random, reach);
+    return {moving_core(a, motion_a), moving_core(b, motion_b)};
+}
+
 /// Two bodies of the i-th pair of kinds, a time, and an axis with a spin: often the best one.
 struct AnyMoment {
     TwoBodies<Core> bodies;
@@ -124,9 +132,7 @@ struct AnyMoment {
 };
 inline AnyMoment any_moment(support::Random& random, int i)
 {
-    const Shape a = random_shape(random, i % 8), b = random_shape(random, i / 8 % 8);
-    const Motion motion_a = random_motion(random, 3), motion_b = random_motion(random, 3);
-    const TwoBodies<Core> bodies{moving_core(a, motion_a), moving_core(b, motion_b)};
+    const TwoBodies<Core> bodies = random_bodies(random, i, 3);
     const double t = random.between(0, 0.9);
     const bool best_axis = random.chance(0.7);
     const V3 any = load(random.unit()), spin = any_spin(random, bodies);
